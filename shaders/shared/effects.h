@@ -1,0 +1,37 @@
+// The effect mask and the other specialisation constants: bit and constant numbers, shared by the plan (C++) and the shaders (GLSL).
+// The plan sets a bit only if the scene calls for it; a shader asks with wants(EFFECT_...), and what is 0 is gone from the SPIR-V.
+#ifndef LIGHTBENCH_SHARED_EFFECTS_H
+#define LIGHTBENCH_SHARED_EFFECTS_H
+
+#define EFFECT_AMBIENT 0x1u                     // S1
+#define EFFECT_DIFFUSE 0x2u                     // S2
+#define EFFECT_SPECULAR 0x4u                    // S3
+#define EFFECT_EMISSION 0x8u                    // surfaces that glow of themselves
+#define EFFECT_POINT_LIGHT 0x10u                // S5: which kinds of light there are
+#define EFFECT_DIRECTIONAL_LIGHT 0x20u
+#define EFFECT_SPOT_LIGHT 0x40u
+#define EFFECT_ATTENUATION_NONE 0x80u           // S4: which laws positional lights have
+#define EFFECT_ATTENUATION_LINEAR 0x100u
+#define EFFECT_ATTENUATION_INVERSE_SQUARE 0x200u
+#define EFFECT_TWO_SIDED 0x400u                 // some surface is seen from behind: its normal is turned
+#define EFFECT_COMPENSATED_SUM 0x800u           // more lights than a plain float sum adds up within 8 u (LI-6)
+#define EFFECT_MANY_MATERIALS 0x1000u           // otherwise every surface has material 0
+
+// Specialisation constants: constant_id of each.
+#define CONSTANT_EFFECTS 0                      // the mask above
+#define CONSTANT_SHADING 1                      // SHADING_...
+#define CONSTANT_OUTPUT 2                       // OUTPUT_...
+#define CONSTANT_LIGHT_COUNT 3                  // lights, if few (then loops have a constant end); 0: from the push constants
+#define CONSTANT_FETCH_STORAGE 4                // fetch4() reads storage buffers (1) or texel buffers (0)
+
+#define SHADING_FLAT 0u
+#define SHADING_GOURAUD 1u
+#define SHADING_PHONG 2u
+
+#define OUTPUT_RADIANCE 0u                      // linear radiance of the terms in the mask
+#define OUTPUT_NORMAL 1u                        // the shading normal, world axes
+#define OUTPUT_DEPTH 2u                         // metres along the viewing direction times the frame's scale
+#define OUTPUT_OBJECT 3u                        // object number + 1; 0 is the background
+#define OUTPUT_ATTENUATION 4u                   // sum over lights of the attenuated, spot-shaped Ip that arrives, without cosines
+
+#endif
