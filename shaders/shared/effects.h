@@ -16,13 +16,20 @@
 #define EFFECT_TWO_SIDED 0x400u                 // some surface is seen from behind: its normal is turned
 #define EFFECT_COMPENSATED_SUM 0x800u           // more lights than a plain float sum adds up within 8 u (LI-6)
 #define EFFECT_MANY_MATERIALS 0x1000u           // otherwise every surface has material 0
+#define EFFECT_VANISHING_NORMALS 0x2000u        // a file's normals may interpolate to zero: the face's normal stands in (NI-1)
 
 // Specialisation constants: constant_id of each.
 #define CONSTANT_EFFECTS 0                      // the mask above
 #define CONSTANT_SHADING 1                      // SHADING_...
 #define CONSTANT_OUTPUT 2                       // OUTPUT_...
 #define CONSTANT_LIGHT_COUNT 3                  // lights, if few (then loops have a constant end); 0: from the push constants
-#define CONSTANT_FETCH_STORAGE 4                // fetch4() reads storage buffers (1) or texel buffers (0)
+#define CONSTANT_FETCH_STORAGE 4                // FETCH_... bits of the tables that are storage buffers; the others are texel buffers
+
+#define FETCH_MATERIALS 0x1u
+#define FETCH_LIGHTS 0x2u
+#define FETCH_POINTS 0x4u
+#define FETCH_COLORS 0x8u
+#define FETCH_OBJECTS 0x10u
 
 #define SHADING_FLAT 0u
 #define SHADING_GOURAUD 1u

@@ -60,14 +60,19 @@ struct ShadePush {
     vec3 ambient;      // Ia
     uint end_light;
     uint point_count;  // compute: points to shade
-    uint terms;        // not 0 in the first pass over the lights: emission and ambient are added then
-    uint pad0, pad1;
+    uint pad0, pad1, pad2;
 };
 
 struct DisplayPush {
     uvec2 size;        // pixels
     float gain;        // 2^exposure
     uint pad0;
+};
+
+struct AccumulatePush {
+    uvec2 size;        // pixels
+    float weight;      // of the frame that is added
+    uint first;        // 1: the sum is written, not added to
 };
 
 // Written by display/display.comp before any clamp.
@@ -79,7 +84,7 @@ struct Census {
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
 static_assert(sizeof(Material) == 48 && sizeof(Light) == 64);
-static_assert(sizeof(ShadePush) == 112 && sizeof(DisplayPush) == 16 && sizeof(Census) == 8);
+static_assert(sizeof(ShadePush) == 112 && sizeof(DisplayPush) == 16 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif
 #endif
