@@ -36,6 +36,7 @@ struct TessellationRequest {
     double pixels = 0.25;          // chordal error allowed, in pixels
     unsigned subdivide = 0;        // refinement levels for all objects (each quarters every triangle), 0 to 8
     bool normals = true;           // false (flat shading, depth only): vertices need no normals and are shared across creases
+    bool polygons = true;          // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
 };
 
 // A run of triangles that are near each other: the unit of culling.
@@ -43,8 +44,10 @@ struct Cluster {
     std::uint32_t first_index = 0, index_count = 0;  // into RasterGeometry::indices
     glm::vec3 center{0};                             // frame
     float radius = 0;
-    glm::vec3 cone_axis{0};                          // every face normal lies within acos(cone_cosine) of it
-    float cone_cosine = -1;                          // -1: cannot be culled by direction
+    // Every triangle faces away from `eye` if dot(center - eye, cone_axis) >= cone_cutoff * length(center - eye) + radius. The cutoff is
+    // the sine of the half-angle of the cone about cone_axis that holds every face normal, rounded up; 1: cannot be culled by direction.
+    glm::vec3 cone_axis{0};                          // unit, or 0 with a cutoff of 1
+    float cone_cutoff = 1;
     bool two_sided = false;                          // drawn from both sides: never culled by direction
 };
 
@@ -58,15 +61,19 @@ struct RasterGeometry {
     Frame frame;
     PointStreams vertices;                       // vertices.normals is empty if TessellationRequest::normals is false
     std::vector<std::uint32_t> indices;          // 3 a triangle; the FIRST vertex of a triangle is its provoking one, and carries its polygon
-    PointStreams polygons;                       // one a polygon: its centre (mean of its vertices), its face normal, its material
+    PointStreams polygons;                       // one a polygon: its centre (mean of its vertices), its face normal, its material; empty
+                                                 // if TessellationRequest::polygons is false
     std::vector<std::uint32_t> polygon_objects;  // object number of each polygon
     std::vector<Cluster> clusters;               // one-sided clusters first
     std::size_t one_sided_clusters = 0;          // clusters[0 .. one_sided_clusters) are culled from behind
     std::size_t dropped_degenerate = 0;          // polygons without area, left out (NI-3)
     std::size_t faces_two_sided = 0;             // polygons visible from both sides
+    bool normals_may_vanish = false;             // a triangle has file-given normals that do not all lie on one side of its face (NI-1)
 };
 
 // Tessellates every object. `two_sided` of a material decides culling; where it is absent a shape is one-sided iff it is closed and outward.
+// An object whose faces have several materials is two-sided if one of them says so, one-sided if all forbid it, else its shape decides.
+// Facets of curved primitives and the parts of a subdivided face count as polygons; the caps of cylinders and cones are one each.
 // Throws std::length_error with the limit's name if limits::kMaxTriangles is passed.
 RasterGeometry tessellate(const Scene& scene, const TessellationRequest& request);
 
