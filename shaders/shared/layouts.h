@@ -64,9 +64,10 @@ struct ShadePush {
 };
 
 struct DisplayPush {
-    uvec2 size;        // pixels
+    uvec2 offset;      // pixels, of the crop in the image
+    uvec2 size;        // pixels, of the crop
     float gain;        // 2^exposure
-    uint pad0;
+    uint pad0, pad1, pad2;
 };
 
 struct AccumulatePush {
@@ -84,7 +85,7 @@ struct Census {
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
 static_assert(sizeof(Material) == 48 && sizeof(Light) == 64);
-static_assert(sizeof(ShadePush) == 112 && sizeof(DisplayPush) == 16 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
+static_assert(sizeof(ShadePush) == 112 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif
 #endif

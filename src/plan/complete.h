@@ -2,6 +2,7 @@
 #pragma once
 
 #include "plan/plan.h"
+#include "scene/problem.h"
 #include "scene/tessellate.h"
 
 namespace lightbench {
@@ -18,7 +19,15 @@ struct View {
     // clip_from_frame = clip_from_view * view_from_world * world_from_frame, composed in double with the eye as the pivot, then rounded.
     glm::mat4 clip_from_frame(const Frame& frame, glm::dvec2 shift_pixels = glm::dvec2(0)) const;
     glm::vec3 eye_in_frame(const Frame& frame) const;
+    // World direction, unit, of the ray through a point of the image: (0, 0) is the upper left corner, (0.5, 0.5) that pixel's centre.
+    glm::dvec3 direction_through(glm::dvec2 pixel) const;
 };
+
+// clip_from_view of a View; `aspect` is width over height.
+glm::dmat4 perspective(double fov, double aspect, double near);
+
+// A turn has this many frames of 3 degrees: frame N of the turntable is frame N + 120.
+constexpr int kTurntableFrames = 120;
 
 struct Completed {
     View view;

@@ -1,0 +1,69 @@
+// Display and accumulation passes.
+#include "render/display.h"
+
+#include "gpu/check.h"
+#include "render/shaders.h"
+#include "shared/layouts.h"
+
+#include <cmath>
+
+namespace lightbench {
+
+Display make_display(gpu::Device& device, const Plan& plan) {
+    Display d;
+    d.size = plan.size, d.crop = plan.crop, d.exposure = plan.exposure;
+    if (plan.runs("accumulate"))
+        d.accumulate = gpu::make_compute(device, find_shader("display/accumulate.comp"), {}, sizeof(gpu_layout::AccumulatePush));
+    if (!plan.runs("display")) return d;
+    d.display = gpu::make_compute(device, find_shader("display/display.comp"), {}, sizeof(gpu_layout::DisplayPush));
+    const auto storage = vk::BufferUsageFlagBits::eStorageBuffer;
+    d.pixels = gpu::make_buffer(device, "pixels", vk::DeviceSize{plan.crop.size.x} * plan.crop.size.y * 4, storage, gpu::Memory::readback);
+    d.census = gpu::make_buffer(device, "census", sizeof(gpu_layout::Census), storage, gpu::Memory::readback);
+    return d;
+}
+
+gpu::Image make_sum(gpu::Device& device, glm::uvec2 size) {
+    return gpu::make_image(device, "sum", {size.x, size.y}, vk::Format::eR32G32B32A32Sfloat,
+                           vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eSampled);
+}
+
+void record_display(gpu::Recorder& recorder, Display& d, gpu::Image& radiance) {
+    recorder.fill(d.census, 0);
+    const gpu_layout::DisplayPush push{d.crop.offset, d.crop.size, std::exp2(d.exposure), 0, 0, 0};
+    recorder.compute("display", d.display, {{"radiance", radiance}, {"Pixels", d.pixels}, {"CensusBlock", d.census}}, push,
+                     {(d.crop.size.x + 15) / 16, (d.crop.size.y + 3) / 4});
+}
+
+void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, gpu::Image& sum, float weight, bool first) {
+    const gpu_layout::AccumulatePush push{d.size, weight, first ? 1u : 0u};
+    recorder.compute("accumulate", d.accumulate, {{"frame", frame}, {"sum", sum}}, push, {(d.size.x + 15) / 16, (d.size.y + 3) / 4});
+}
+
+Image8 read_pixels(gpu::Device& device, Display& d, const Rect& crop) {
+    return {crop.size.x, crop.size.y, gpu::download_all<std::uint8_t>(device, d.pixels)};
+}
+
+std::uint64_t read_census(gpu::Device& device, Display& d) {
+    const auto census = gpu::download_all<gpu_layout::Census>(device, d.census).front();
+    CHECK(census.visited == d.crop.size.x * d.crop.size.y, "while displaying: the driver left out pixels");
+    return census.non_finite;
+}
+
+std::uint64_t count_non_finite(const ImageF& image) {
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+        count += !(std::isfinite(image.rgba[i]) && std::isfinite(image.rgba[i + 1]) && std::isfinite(image.rgba[i + 2]));
+    return count;
+}
+
+// Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", PCG2D: two well mixed words from a counter and a seed.
+glm::dvec2 jitter(std::uint32_t seed, std::uint32_t frame) {
+    std::uint32_t x = frame * 1664525u + 1013904223u, y = seed * 1664525u + 1013904223u;
+    for (int round = 0; round < 2; ++round) {
+        x += y * 1664525u, y += x * 1664525u;
+        x ^= x >> 16, y ^= y >> 16;
+    }
+    return {x * 0x1p-32, y * 0x1p-32};
+}
+
+} // namespace lightbench

@@ -1,0 +1,138 @@
+// Converts lights and materials to the shared layouts, in the frame's units, and fills the buffers.
+#include "render/gpu_scene.h"
+
+#include "gpu/check.h"
+#include "shared/effects.h"
+#include "shared/layouts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace lightbench {
+namespace {
+
+using vk::BufferUsageFlagBits;
+
+gpu_layout::Material to_gpu(const Material& m) {
+    gpu_layout::Material out{};
+    out.diffuse = m.diffuse, out.specular = m.specular, out.emission = m.emission, out.shininess = m.shininess;
+    return out;
+}
+
+// With d' = s d: Ip / (d + d0) = s Ip / (d' + s d0) and Ip / (4 pi d^2) = s^2 Ip / (4 pi d'^2), so the frame's laws give the world's values.
+double frame_gain(const Light& light, double s) {
+    if (light.type == LightType::directional) return 1;
+    if (light.attenuation == Attenuation::linear) return s;
+    return light.attenuation == Attenuation::inverse_square ? s * s : 1;
+}
+
+gpu_layout::Light to_gpu(const Light& light, const Frame& frame) {
+    gpu_layout::Light out{};
+    const bool directional = light.type == LightType::directional;
+    out.position = glm::vec3(directional ? -light.direction : frame.from_world(light.position));
+    out.type = static_cast<std::uint32_t>(light.type);
+    out.intensity = glm::vec3(glm::dvec3(light.intensity) * frame_gain(light, frame.scale));
+    out.attenuation = static_cast<std::uint32_t>(directional ? Attenuation::none : light.attenuation);
+    out.axis = glm::vec3(light.direction);
+    out.d0 = static_cast<float>(light.d0 * frame.scale);
+    out.cos_outer = static_cast<float>(std::cos(light.angle));
+    out.cos_inner = static_cast<float>(std::cos(light.angle * (1 - light.softness)));
+    return out;
+}
+
+bool shines(const Light& light) {
+    return light.intensity.x > 0 || light.intensity.y > 0 || light.intensity.z > 0;
+}
+
+std::vector<gpu_layout::Light> lights_of(const Scene& scene, const Frame& frame) {
+    std::vector<gpu_layout::Light> lights;
+    for (const Light& light : scene.lights)
+        if (shines(light)) lights.push_back(to_gpu(light, frame));
+    return lights;
+}
+
+// All materials; or, where the plan says that a single one is used, that one alone, as number 0.
+std::vector<gpu_layout::Material> materials_of(const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
+    std::vector<gpu_layout::Material> materials;
+    if (plan.effects & EFFECT_MANY_MATERIALS) {
+        std::ranges::transform(scene.materials, std::back_inserter(materials), [](const Material& m) { return to_gpu(m); });
+        return materials;
+    }
+    const auto& normals = geometry.polygons.normals.empty() ? geometry.vertices.normals : geometry.polygons.normals;
+    const std::uint32_t used = normals.empty() ? 0 : normals.front().material;
+    return {to_gpu(scene.materials.at(used))};
+}
+
+struct Uploader {
+    gpu::Device& device;
+    GpuScene& out;
+
+    template <class T>
+    gpu::Buffer table(std::string name, const std::vector<T>& values, std::uint32_t bit, vk::BufferUsageFlags more = {}) {
+        static_assert(sizeof(T) % 16 == 0);
+        if (values.empty()) return {};
+        gpu::Buffer buffer = gpu::make_texel_buffer(device, std::move(name), values.size() * sizeof(T), more);
+        gpu::upload(device, buffer, std::as_bytes(std::span(values)));
+        if (!buffer.as_texel()) out.fetch_storage |= bit;
+        return buffer;
+    }
+};
+
+// What is written by shade-points and read as a table by the vertex stage or as vertex attributes.
+gpu::Buffer color_buffer(Uploader& up, const char* name, std::size_t points, const Plan& plan, vk::BufferUsageFlags more) {
+    const std::size_t sides = plan.effects & EFFECT_TWO_SIDED ? 2 : 1;
+    gpu::Buffer buffer = gpu::make_texel_buffer(up.device, name, std::max<std::size_t>(points, 1) * sides * 16, more);
+    if (!buffer.as_texel()) up.out.fetch_storage |= FETCH_COLORS;
+    return buffer;
+}
+
+// Four object numbers a texel.
+std::vector<glm::uvec4> pack_objects(const std::vector<std::uint32_t>& objects) {
+    std::vector<glm::uvec4> packed((objects.size() + 3) / 4, glm::uvec4(0));
+    for (std::size_t i = 0; i < objects.size(); ++i) packed[i / 4][static_cast<int>(i % 4)] = objects[i];
+    return packed;
+}
+
+void upload_points(Uploader& up, const RasterGeometry& geometry, const Plan& plan) {
+    GpuScene& out = up.out;
+    const auto vertex = BufferUsageFlagBits::eVertexBuffer;
+    out.positions = up.table("positions", geometry.vertices.positions, FETCH_POINTS, vertex);
+    if (!geometry.indices.empty())
+        out.indices = gpu::make_filled_buffer(up.device, "indices", std::span(geometry.indices), BufferUsageFlagBits::eIndexBuffer);
+    if (plan.has("normals")) out.normals = up.table("normals", geometry.vertices.normals, FETCH_POINTS, vertex);
+    if (plan.has("vertex-colors")) out.vertex_colors = color_buffer(up, "vertex-colors", out.vertex_count, plan, vertex);
+    if (plan.has("polygon-colors")) {
+        out.polygon_positions = up.table("polygon-positions", geometry.polygons.positions, FETCH_POINTS);
+        out.polygon_normals = up.table("polygon-normals", geometry.polygons.normals, FETCH_POINTS);
+        out.polygon_colors = color_buffer(up, "polygon-colors", out.polygon_count, plan, {});
+    }
+    if (std::ranges::find(plan.terms, "object") != plan.terms.end())
+        out.polygon_objects = up.table("polygon-objects", pack_objects(geometry.polygon_objects), FETCH_OBJECTS);
+}
+
+} // namespace
+
+GpuScene upload_scene(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
+    GpuScene out;
+    Uploader up{device, out};
+    const auto lights = lights_of(scene, geometry.frame);
+    out.light_count = static_cast<std::uint32_t>(lights.size());
+    out.vertex_count = static_cast<std::uint32_t>(geometry.vertices.positions.size());
+    out.polygon_count = static_cast<std::uint32_t>(geometry.polygons.positions.size());
+    if (plan.has("lights")) out.lights = up.table("lights", lights, FETCH_LIGHTS);
+    if (plan.has("materials")) out.materials = up.table("materials", materials_of(scene, geometry, plan), FETCH_MATERIALS);
+    upload_points(up, geometry, plan);
+    return out;
+}
+
+void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& buffer) {
+    static const std::map<std::string_view, std::string_view> kStorageNames = {
+        {"lights", "lights_storage"},   {"materials", "materials_storage"},           {"positions", "positions_storage"},
+        {"normals", "normals_storage"}, {"polygon_colors", "polygon_colors_storage"}, {"polygon_objects", "polygon_objects_storage"}};
+    if (!buffer) return;
+    bindings.emplace_back(name, buffer);
+    bindings.emplace_back(kStorageNames.at(name), buffer);
+}
+
+} // namespace lightbench

@@ -1,0 +1,49 @@
+// The rasteriser: shades polygons or vertices where the plan says so, then draws the clusters that the view sees.
+// In: GpuScene, a variant of the effect mask, a view. Out: passes recorded into a target.
+#pragma once
+
+#include "gpu/recorder.h"
+#include "plan/complete.h"
+#include "render/gpu_scene.h"
+
+#include <compare>
+
+namespace lightbench {
+
+// One specialisation of the raster shaders.
+struct RasterVariant {
+    std::uint32_t effects = 0; // EFFECT_... bits
+    std::uint32_t output = 0;  // OUTPUT_...
+    unsigned samples = 1;
+    auto operator<=>(const RasterVariant&) const = default;
+};
+
+struct RasterPipelines {
+    gpu::ComputePipeline shade;                 // none for Phong, and where nothing needs shading (depth, object)
+    gpu::GraphicsPipeline one_sided, two_sided; // with back faces culled, and without; only those that have clusters
+};
+
+// Images of one size. `color` and `depth` have the variant's samples; `resolved` has one and is what is read.
+struct RasterTargets {
+    gpu::Image color, depth, resolved; // color is none if samples is 1: then `resolved` is drawn into
+};
+
+RasterTargets make_targets(gpu::Device& device, glm::uvec2 size, unsigned samples, const std::string& name);
+RasterPipelines make_raster_pipelines(gpu::Device& device, const Plan& plan, const GpuScene& scene, const RasterVariant& variant,
+                                      std::size_t one_sided_clusters, std::size_t two_sided_clusters);
+
+// One drawing of the scene.
+struct RasterDraw {
+    const View& view;
+    glm::dvec2 shift{0}; // pixels
+    glm::vec3 ambient{0};
+    glm::vec3 background{0};
+    std::uint32_t first_light = 0, end_light = 0;
+    std::string name = "raster"; // of the pass
+};
+
+// Returns the number of triangles drawn.
+std::size_t record_raster(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterGeometry& geometry,
+                          const RasterVariant& variant, const RasterPipelines& pipelines, RasterTargets& targets, const RasterDraw& draw);
+
+} // namespace lightbench

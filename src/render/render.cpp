@@ -1,0 +1,175 @@
+// Runs a plan: every frame and every piece of the lights, then the display; the layers of the terms likewise.
+#include "render/render.h"
+
+#include "gpu/recorder.h"
+#include "render/display.h"
+#include "render/raster.h"
+#include "render/terms.h"
+#include "shared/effects.h"
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+namespace lightbench {
+
+struct RendererState {
+    gpu::Device& device;
+    const RasterGeometry& geometry;
+    Plan plan;
+    Environment environment;
+    GpuScene scene;
+    gpu::Recorder recorder;
+    RasterTargets targets; // of the image
+    RasterTargets single;  // of layers that must not be averaged; made when first needed
+    gpu::Image sum;        // of frames and pieces; none if there is one of both
+    Display display;
+    std::map<RasterVariant, RasterPipelines> pipelines;
+};
+
+namespace {
+
+// Frames of a regular n x n grid within the pixel, or jittered within its cells: the shift of frame i.
+glm::dvec2 shift_of(const Plan& plan, unsigned i) {
+    const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(plan.frames))));
+    if (n <= 1) return glm::dvec2(0);
+    const glm::dvec2 cell(i % n, i / n);
+    const glm::dvec2 within = plan.jittered ? jitter(plan.seed, i) : glm::dvec2(0.5);
+    return (cell + within) / double(n) - 0.5;
+}
+
+const RasterPipelines& pipelines_for(RendererState& s, const RasterVariant& variant) {
+    auto [it, made] = s.pipelines.try_emplace(variant);
+    if (made)
+        it->second = make_raster_pipelines(s.device, s.plan, s.scene, variant, s.geometry.one_sided_clusters,
+                                           s.geometry.clusters.size() - s.geometry.one_sided_clusters);
+    return it->second;
+}
+
+struct Drawing {
+    RasterVariant variant;
+    glm::vec3 background{0};
+    std::string name = "raster";
+};
+
+RasterTargets& targets_for(RendererState& s, const RasterVariant& variant) {
+    if (variant.samples == s.plan.multisamples) return s.targets;
+    if (!s.single.resolved) s.single = make_targets(s.device, s.plan.size, 1, "layer");
+    return s.single;
+}
+
+// One frame, one piece of the lights. Emission, ambient light and the background belong to the first piece.
+std::size_t record_piece(RendererState& s, const View& view, Drawing drawing, unsigned frame, std::size_t piece) {
+    RasterDraw draw{view, shift_of(s.plan, frame), s.environment.ambient, drawing.background, 0, s.scene.light_count, drawing.name};
+    if (s.plan.light_passes > 1) {
+        draw.first_light = static_cast<std::uint32_t>(piece * kLightsPerPass);
+        draw.end_light = static_cast<std::uint32_t>(std::min<std::size_t>((piece + 1) * kLightsPerPass, s.scene.light_count));
+    }
+    if (piece > 0) drawing.variant.effects &= ~(EFFECT_EMISSION | EFFECT_AMBIENT), draw.background = glm::vec3(0);
+    RasterTargets& targets = targets_for(s, drawing.variant);
+    return record_raster(s.recorder, s.plan, s.scene, s.geometry, drawing.variant, pipelines_for(s, drawing.variant), targets, draw);
+}
+
+// All frames and pieces, into the image that is returned.
+gpu::Image& record_drawing(RendererState& s, const View& view, const Drawing& drawing, std::size_t& triangles) {
+    RasterTargets& targets = targets_for(s, drawing.variant);
+    const bool whole = &targets == &s.targets && s.sum;
+    const unsigned frames = whole ? s.plan.frames : 1;
+    const std::size_t pieces = whole ? s.plan.light_passes : 1;
+    triangles = 0;
+    for (unsigned frame = 0; frame < frames; ++frame)
+        for (std::size_t piece = 0; piece < pieces; ++piece) {
+            triangles += record_piece(s, view, drawing, frame, piece);
+            if (whole) record_accumulate(s.recorder, s.display, targets.resolved, s.sum, 1.0f / float(frames), frame == 0 && piece == 0);
+        }
+    return whole ? s.sum : targets.resolved;
+}
+
+vk::Rect2D rect_of(const Rect& crop) {
+    return {{static_cast<std::int32_t>(crop.offset.x), static_cast<std::int32_t>(crop.offset.y)}, {crop.size.x, crop.size.y}};
+}
+
+ImageF read_crop(RendererState& s, gpu::Image& image) {
+    return {s.plan.crop.size.x, s.plan.crop.size.y, gpu::read_image<float>(s.device, image, rect_of(s.plan.crop))};
+}
+
+void add_times(RenderOutput& out, const gpu::Timings& timings) {
+    for (const auto& [name, ms] : timings) {
+        auto it = std::ranges::find(out.times, name, &StepTime::name);
+        if (it == out.times.end())
+            out.times.push_back({name, ms});
+        else
+            it->milliseconds += ms;
+        out.device_milliseconds += ms;
+    }
+}
+
+RenderOutput run_image(RendererState& s, const View& view) {
+    RenderOutput out;
+    const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background};
+    gpu::Image& image = record_drawing(s, view, drawing, out.triangles_drawn);
+    if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
+    add_times(out, s.recorder.submit_and_wait());
+    if (s.plan.runs("display")) {
+        out.pixels = read_pixels(s.device, s.display, s.plan.crop);
+        out.non_finite = read_census(s.device, s.display);
+    } else {
+        out.radiance = read_crop(s, image);
+        out.non_finite = count_non_finite(*out.radiance);
+    }
+    return out;
+}
+
+Layer run_layer(RendererState& s, const View& view, const std::string& name) {
+    const Term term = find_term(name);
+    Drawing drawing{{s.plan.effects & term.effects, term.output, term.averaged ? s.plan.multisamples : 1}, glm::vec3(0), "term-" + name};
+    if (term.background) drawing.background = s.environment.background;
+    std::size_t triangles = 0;
+    gpu::Image& image = record_drawing(s, view, drawing, triangles);
+    s.recorder.submit_and_wait();
+    Layer layer{name, read_crop(s, image)};
+    if (term.output == OUTPUT_DEPTH) // frame units to metres; the scale is a power of two
+        for (float& x : layer.image.rgba) x = static_cast<float>(x / s.geometry.frame.scale);
+    return layer;
+}
+
+} // namespace
+
+TessellationRequest tessellation_for(const Plan& plan, const View& view) {
+    TessellationRequest request;
+    request.eye = view.eye;
+    request.pixel_angle = view.pixel_angle();
+    request.subdivide = plan.subdivide;
+    request.normals = plan.has("normals");
+    request.polygons = plan.has("polygon-colors") || std::ranges::find(plan.terms, "object") != plan.terms.end();
+    return request;
+}
+
+Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan)
+    : state_(new RendererState{device,
+                               geometry,
+                               plan,
+                               scene.environment,
+                               upload_scene(device, scene, geometry, plan),
+                               gpu::Recorder(device),
+                               make_targets(device, plan.size, plan.multisamples, "radiance"),
+                               {},
+                               {},
+                               {},
+                               {}}) {
+    if (plan.runs("accumulate")) state_->sum = make_sum(device, plan.size);
+    state_->display = make_display(device, plan);
+}
+
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+RenderOutput Renderer::render(const View& view, const RenderOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    RenderOutput out = run_image(*state_, view);
+    if (options.warm_up && std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) out = run_image(*state_, view);
+    for (const std::string& name : state_->plan.terms) out.layers.push_back(run_layer(*state_, view, name));
+    return out;
+}
+
+} // namespace lightbench

@@ -1,0 +1,58 @@
+// The one place that runs a plan. In: a completed scene, its tessellation, the plan, a view. Out: pixels or radiance, layers, times.
+#pragma once
+
+#include "gpu/device.h"
+#include "image/image.h"
+#include "plan/complete.h"
+#include "scene/tessellate.h"
+
+#include <memory>
+#include <optional>
+
+namespace lightbench {
+
+struct Layer {
+    std::string name;
+    ImageF image; // the crop
+};
+
+struct StepTime {
+    std::string name;
+    double milliseconds = 0; // device; summed over the frames of one image
+};
+
+struct RenderOutput {
+    std::optional<Image8> pixels;   // Output::pixels; the crop
+    std::optional<ImageF> radiance; // Output::radiance; the crop
+    std::vector<Layer> layers;      // Plan::terms
+    std::uint64_t non_finite = 0;   // pixels of the crop with a NaN or an infinity, counted before any clamp
+    std::vector<StepTime> times;    // of the image; not of the layers
+    double device_milliseconds = 0;
+    std::size_t triangles_drawn = 0; // after culling
+};
+
+struct RenderOptions {
+    // Runs everything once before the run that is timed: drivers compile at the first draw. Left out if that first run passes a second.
+    bool warm_up = false;
+};
+
+// What the plan needs of the tessellation: streams that nobody reads are not made.
+TessellationRequest tessellation_for(const Plan& plan, const View& view);
+
+struct RendererState;
+
+// Owns the GPU side of one scene under one plan: buffers, pipelines, targets. The device outlives it.
+class Renderer {
+  public:
+    Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
+    Renderer(Renderer&&) noexcept;
+    ~Renderer();
+    // Throws gpu::EnvironmentError.
+    RenderOutput render(const View& view, const RenderOptions& options = {});
+    RendererState& state() const { return *state_; } // for this room and its tests
+
+  private:
+    std::unique_ptr<RendererState> state_;
+};
+
+} // namespace lightbench
