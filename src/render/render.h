@@ -49,7 +49,6 @@ class Renderer {
     ~Renderer();
     // Throws gpu::EnvironmentError.
     RenderOutput render(const View& view, const RenderOptions& options = {});
-    RendererState& state() const { return *state_; } // for this room and its tests
 
   private:
     std::unique_ptr<RendererState> state_;
