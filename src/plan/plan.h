@@ -4,6 +4,7 @@
 #include "plan/facts.h"
 #include "plan/request.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,8 @@ struct Plan {
     std::uint32_t seed = 0;
     unsigned subdivide = 0;
     std::uint32_t light_count = 0;    // constant in the pipelines if 1 to kFewLights; 0: read at run time
+    std::size_t lights = 0;           // of the scene
+    std::optional<std::size_t> triangles;  // once tessellated
     std::size_t light_passes = 1;     // the lights are summed in this many bounded pieces
     std::vector<std::string> terms;   // layers besides the image: "ambient", "diffuse", "specular", "emission", "background", "attenuation", "normal", "depth", "object"
     std::vector<Line> wanted;         // effects that run
@@ -58,7 +61,10 @@ constexpr std::uint32_t kFewLights = 8;           // up to here the loop over li
 // One SIMD group of lavapipe has 65 535 loop iterations in all; half of them leaves room for the other loops of the shader.
 constexpr std::size_t kLightsPerPass = 32768;
 
-// Decides. `notes` are fallbacks that were decided while the scene was completed (plan/complete.h).
+// The effects (plan/effects.h) that set a bit of the mask, by name, in the order of the table: for --stats and the tests.
+std::vector<std::string> effect_names(std::uint32_t mask);
+
+// Decides; once with the facts of the file, which says what to tessellate, and again when Facts::geometry is known. `notes` are fallbacks that were decided while the scene was completed (plan/complete.h).
 Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes = {});
 
 } // namespace lightbench

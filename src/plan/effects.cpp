@@ -1,0 +1,198 @@
+#include "plan/effects.h"
+
+#include "shared/effects.h"
+
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+template <class... Args> Verdict yes(fmt::format_string<Args...> text, Args&&... args) {
+    return {true, fmt::format(text, std::forward<Args>(args)...)};
+}
+template <class... Args> Verdict no(fmt::format_string<Args...> text, Args&&... args) {
+    return {false, fmt::format(text, std::forward<Args>(args)...)};
+}
+
+std::string counted(std::size_t n, std::string_view noun) {
+    return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
+}
+
+// "3 of 5 materials have ks > 0", in the singular where it must be.
+std::string share(std::size_t n, std::size_t of, std::string_view what) {
+    if (of == 1) return fmt::format("the material has {}", what);
+    return fmt::format("{} of {} materials {} {}", n, of, n == 1 ? "has" : "have", what);
+}
+
+Verdict ambient(const Facts& f, const Request&) {
+    if (!f.ambient) return no("the ambient light is 0");
+    if (f.diffuse_materials == 0) return no("no material has kd > 0");
+    return yes("{}", share(f.diffuse_materials, f.materials, "kd > 0"));
+}
+
+Verdict diffuse(const Facts& f, const Request&) {
+    if (f.lights == 0) return no("there is no light");
+    if (f.diffuse_materials == 0) return no("no material has kd > 0");
+    return yes("{}", share(f.diffuse_materials, f.materials, "kd > 0"));
+}
+
+Verdict specular(const Facts& f, const Request&) {
+    if (f.lights == 0) return no("there is no light");
+    if (f.specular_materials == 0) return no("no material has ks > 0");
+    return yes("{}", share(f.specular_materials, f.materials, "ks > 0"));
+}
+
+Verdict emission(const Facts& f, const Request&) {
+    if (f.emissive_materials == 0) return no("no material glows");
+    return yes("{}", share(f.emissive_materials, f.materials, "an emission"));
+}
+
+// A property of `n` lights: without effect where nothing answers to light.
+Verdict of_lights(const Facts& f, const Request& r, std::size_t n, std::string_view none) {
+    if (n == 0) return no("{}", none);
+    if (!is_lit(f, r)) return no("{}, but no material has kd > 0 or ks > 0", counted(n, "light"));
+    return yes("{}", counted(n, "light"));
+}
+
+Verdict point(const Facts& f, const Request& r) {
+    return of_lights(f, r, f.point_lights, "no point light");
+}
+Verdict directional(const Facts& f, const Request& r) {
+    return of_lights(f, r, f.directional_lights, "no directional light");
+}
+Verdict spot(const Facts& f, const Request& r) {
+    return of_lights(f, r, f.spot_lights, "no spot light");
+}
+
+// Directional lights are never attenuated, so that a scene of those alone has no law at all.
+Verdict of_law(const Facts& f, const Request& r, std::size_t n) {
+    if (f.point_lights + f.spot_lights == 0) return no("no light has a distance");
+    return of_lights(f, r, n, "no light uses it");
+}
+
+Verdict law_none(const Facts& f, const Request& r) {
+    return of_law(f, r, f.unattenuated_lights);
+}
+Verdict law_linear(const Facts& f, const Request& r) {
+    return of_law(f, r, f.linear_lights);
+}
+Verdict law_inverse_square(const Facts& f, const Request& r) {
+    return of_law(f, r, f.inverse_square_lights);
+}
+
+Verdict two_sided(const Facts& f, const Request& r) {
+    if (f.two_sided_objects == 0 || (f.geometry && f.geometry->faces_two_sided == 0)) return no("no surface is seen from behind");
+    if (!is_lit(f, r)) return no("no light tells the two sides apart");
+    return yes("{} of {} may be seen from behind", f.two_sided_objects, counted(f.objects, "object"));
+}
+
+// Interpolated normals exist with Phong only. The files' own normals may point anywhere; computed ones lie about their faces' normals.
+Verdict vanishing_normals(const Facts& f, const Request& r) {
+    if (r.shading != Shading::phong) return no("normals are not interpolated");
+    if (!is_lit(f, r)) return no("no term reads normals");
+    if (!f.own_normals) return no("all normals are computed");
+    if (f.geometry && !f.geometry->normals_may_vanish) return no("the file's normals agree with the faces");
+    return yes("{}", f.geometry ? "the file's normals may cancel inside of a triangle" : "the file has normals of its own");
+}
+
+Verdict many_materials(const Facts& f, const Request& r) {
+    const bool read = ambient(f, r).wanted || diffuse(f, r).wanted || specular(f, r).wanted || emission(f, r).wanted;
+    if (!read) return no("no property of a material changes the image");
+    if (f.materials == 1) return no("every surface has the same material");
+    return yes("{}", counted(f.materials, "material"));
+}
+
+// A plain float sum of n terms errs by at most (n - 1) u; LI-6 asks for 8 u.
+Verdict compensated_sum(const Facts& f, const Request& r) {
+    if (!is_lit(f, r)) return no("no light is summed");
+    if (f.lights <= 9) return no("{}: a plain sum errs by at most 8 u", counted(f.lights, "light"));
+    return yes("{}: a plain sum could err by more than 8 u", counted(f.lights, "light"));
+}
+
+Verdict of_materials(std::size_t n, std::string_view none) {
+    return n > 0 ? yes("{}", counted(n, "material")) : no("{}", none);
+}
+
+Verdict cook_torrance(const Facts& f, const Request&) {
+    return of_materials(f.cook_torrance_materials, "no material uses it");
+}
+Verdict texture(const Facts& f, const Request&) {
+    return of_materials(f.textured_materials, "no material has one");
+}
+Verdict bump(const Facts& f, const Request&) {
+    return of_materials(f.bumped_materials, "no material has one");
+}
+Verdict transparency(const Facts& f, const Request&) {
+    return of_materials(f.translucent_materials, "every opacity is 1");
+}
+Verdict transmission(const Facts& f, const Request&) {
+    return of_materials(f.transmissive_materials, "every kt is 0");
+}
+Verdict fresnel(const Facts& f, const Request&) {
+    return of_materials(f.fresnel_materials, "no material asks for it");
+}
+Verdict scatter(const Facts& f, const Request&) {
+    return of_materials(f.scattering_materials, "no surface is frosted");
+}
+Verdict dispersion(const Facts& f, const Request&) {
+    return of_materials(f.dispersive_materials, "no material asks for it");
+}
+
+Verdict environment(const Facts& f, const Request&) {
+    if (f.environment_map)
+        return yes("the scene has a map{}",
+                   f.environment_materials > 0 ? ", mirrored by " + counted(f.environment_materials, "material") : "");
+    if (f.environment_materials > 0)
+        return yes("{} without a map: the surrounding would be the scene itself", counted(f.environment_materials, "material"));
+    return no("the scene has no map, and no material mirrors one");
+}
+
+Verdict reflection(const Facts& f, const Request&) {
+    if (f.mirror_materials > 0) return yes("{}", counted(f.mirror_materials, "mirror"));
+    if (f.reflective_materials > 0) return no("no material names one (kr = ks counts where rays are traced)");
+    return no("every kr is 0");
+}
+
+const std::vector<Effect>& table() {
+    using R = std::vector<std::string_view>;
+    const R surface = {"materials"}, lit = {"materials", "lights"}, light = {"lights"};
+    static const std::vector<Effect> rows = {
+        {"ambient", EFFECT_AMBIENT, ambient, surface, ""},
+        {"diffuse", EFFECT_DIFFUSE, diffuse, lit, ""},
+        {"specular", EFFECT_SPECULAR, specular, lit, ""},
+        {"emission", EFFECT_EMISSION, emission, surface, ""},
+        {"point light", EFFECT_POINT_LIGHT, point, light, ""},
+        {"directional light", EFFECT_DIRECTIONAL_LIGHT, directional, light, ""},
+        {"spot light", EFFECT_SPOT_LIGHT, spot, light, ""},
+        {"attenuation: none", EFFECT_ATTENUATION_NONE, law_none, light, ""},
+        {"attenuation: linear", EFFECT_ATTENUATION_LINEAR, law_linear, light, ""},
+        {"attenuation: inverse-square", EFFECT_ATTENUATION_INVERSE_SQUARE, law_inverse_square, light, ""},
+        {"two-sided", EFFECT_TWO_SIDED, two_sided, {}, ""},
+        {"vanishing-normals", EFFECT_VANISHING_NORMALS, vanishing_normals, {}, ""},
+        {"many-materials", EFFECT_MANY_MATERIALS, many_materials, surface, ""},
+        {"compensated-sum", EFFECT_COMPENSATED_SUM, compensated_sum, {}, ""},
+        {"cook-torrance", 0, cook_torrance, {}, "drawn as Phong with their ks and shininess"},
+        {"texture", 0, texture, {}, "drawn with their plain kd"},
+        {"bump", 0, bump, {}, "drawn with smooth normals"},
+        {"environment", 0, environment, {}, "background drawn as its plain color, nothing mirrored"},
+        {"transparency", 0, transparency, {}, "drawn opaque"},
+        {"transmission", 0, transmission, {}, "drawn opaque, nothing is refracted"},
+        {"reflection", 0, reflection, {}, "drawn without what they would mirror"},
+        {"fresnel", 0, fresnel, {}, "drawn without the split of reflection and transmission"},
+        {"scatter", 0, scatter, {}, "drawn as if polished"},
+        {"dispersion", 0, dispersion, {}, "drawn without colors split"},
+    };
+    return rows;
+}
+
+} // namespace
+
+std::span<const Effect> effects() {
+    return table();
+}
+
+bool is_lit(const Facts& f, const Request& r) {
+    return f.lights > 0 && (f.diffuse_materials > 0 || f.specular_materials > 0 || r.terms);
+}
+
+} // namespace lightbench

@@ -1,0 +1,133 @@
+// Counts a scene's facts: one walk over lights, one over objects (which also marks the materials in use), one over those materials.
+#include "plan/facts.h"
+
+#include "scene/tessellate.h"
+
+namespace lightbench {
+namespace {
+
+bool any(const glm::vec3& c) {
+    return c.x > 0 || c.y > 0 || c.z > 0;
+}
+bool below_one(const glm::vec3& c) {
+    return c.x < 1 || c.y < 1 || c.z < 1;
+}
+
+void count_light(const Light& light, Facts& facts) {
+    if (!any(light.intensity)) return;
+    ++facts.lights;
+    if (light.type == LightType::directional) {
+        ++facts.directional_lights;
+        return;
+    }
+    ++(light.type == LightType::point ? facts.point_lights : facts.spot_lights);
+    switch (light.attenuation) {
+    case Attenuation::none: ++facts.unattenuated_lights; break;
+    case Attenuation::linear: ++facts.linear_lights; break;
+    case Attenuation::inverse_square: ++facts.inverse_square_lights; break;
+    }
+}
+
+void count_material(const Material& material, Facts& facts) {
+    ++facts.materials;
+    facts.diffuse_materials += any(material.diffuse);
+    facts.specular_materials += any(material.specular);
+    facts.emissive_materials += any(material.emission);
+    facts.cook_torrance_materials += material.model == Model::cook_torrance;
+    facts.textured_materials += material.texture.has_value();
+    facts.bumped_materials += material.bump.has_value();
+    facts.environment_materials += material.environment > 0;
+    facts.translucent_materials += below_one(material.opacity);
+    facts.transmissive_materials += any(material.transmission);
+    facts.reflective_materials += any(material.reflection.value_or(material.specular));
+    facts.mirror_materials += material.reflection && any(*material.reflection);
+    facts.fresnel_materials += material.fresnel;
+    facts.scattering_materials += material.scatter > 0;
+    facts.dispersive_materials += material.dispersion.y != 0;
+}
+
+// Counts the shape, and says whether it is open: whether its inside can be seen without entering it.
+struct ShapeCounter {
+    Facts& facts;
+    const Scene& scene;
+    bool operator()(const Sphere&) const { return ++facts.spheres, false; }
+    bool operator()(const Polygon& polygon) const {
+        ++facts.polygons;
+        facts.own_normals = facts.own_normals || !polygon.normals.empty();
+        return true;
+    }
+    bool operator()(const Box&) const { return ++facts.boxes, false; }
+    bool operator()(const Cylinder& cylinder) const { return ++facts.cylinders, !cylinder.capped; }
+    bool operator()(const Cone& cone) const { return ++facts.cones, !cone.capped; }
+    bool operator()(const Torus&) const { return ++facts.tori, false; }
+    // Whether a mesh is closed is known after tessellation only; until then it counts as open: the bit may cost, it cannot hurt.
+    bool operator()(const MeshUse& use) const {
+        ++facts.mesh_objects;
+        facts.own_normals = facts.own_normals || !scene.meshes[use.mesh].normals.empty();
+        facts.mesh_faces += scene.meshes[use.mesh].face_count();
+        return true;
+    }
+};
+
+// What the materials of a mesh's own faces say; walked once a mesh, however many objects place it.
+struct MeshMaterials {
+    bool walked = false, two_sided = false;
+};
+
+// The mesh of an object whose faces have materials of their own, else nothing.
+std::optional<std::uint32_t> mesh_with_materials(const Scene& scene, const Object& object) {
+    const auto* use = std::get_if<MeshUse>(&object.shape);
+    if (use == nullptr || scene.meshes[use->mesh].face_materials.empty()) return std::nullopt;
+    return use->mesh;
+}
+
+// Marks the materials of a surface, and says whether it may be seen from behind: whether one of them does not forbid it.
+bool mark_materials(const Scene& scene, const Object& object, bool open, std::vector<MeshMaterials>& meshes, std::vector<bool>& used) {
+    const auto mesh = mesh_with_materials(scene, object);
+    if (!mesh) {
+        used[object.material] = true;
+        return scene.materials[object.material].two_sided.value_or(open);
+    }
+    MeshMaterials& known = meshes[*mesh];
+    if (known.walked) return known.two_sided;
+    known.walked = true;
+    for (std::uint32_t material : scene.meshes[*mesh].face_materials) {
+        used[material] = true;
+        known.two_sided = known.two_sided || scene.materials[material].two_sided.value_or(open);
+    }
+    return known.two_sided;
+}
+
+void count_objects(const Scene& scene, std::vector<bool>& used, Facts& facts) {
+    std::vector<MeshMaterials> meshes(scene.meshes.size());
+    for (const Object& object : scene.objects) {
+        ++facts.objects;
+        const bool open = std::visit(ShapeCounter{facts, scene}, object.shape);
+        facts.two_sided_objects += mark_materials(scene, object, open, meshes, used);
+    }
+}
+
+} // namespace
+
+Facts gather_facts(const Scene& scene) {
+    Facts facts;
+    for (const Light& light : scene.lights) count_light(light, facts);
+    std::vector<bool> used(scene.materials.size(), false);
+    count_objects(scene, used, facts);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) count_material(scene.materials[i], facts);
+    facts.materials_listed = scene.materials.size();
+    facts.ambient = any(scene.environment.ambient);
+    facts.background = any(scene.environment.background);
+    facts.environment_map = !scene.environment.map.empty();
+    facts.camera = !scene.cameras.empty();
+    facts.film = scene.film.has_value();
+    return facts;
+}
+
+void add_geometry(Facts& facts, const RasterGeometry& geometry) {
+    facts.geometry = GeometryFacts{geometry.vertices.positions.size(), geometry.indices.size() / 3, geometry.polygons.positions.size(),
+                                   geometry.faces_two_sided,           geometry.dropped_degenerate, geometry.normals_may_vanish};
+}
+
+} // namespace lightbench

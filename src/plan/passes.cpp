@@ -1,0 +1,92 @@
+#include "plan/passes.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names joined(Names a, const Names& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+bool contains(const Names& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// What drawing reads in each mode: colors that were shaded before, or all that shading a fragment needs.
+Names drawn_from(Shading shading, const Names& lit_reads) {
+    switch (shading) {
+    case Shading::flat: return {"vertices", "indices", "polygon-colors"};
+    case Shading::gouraud: return {"vertices", "indices", "vertex-colors"};
+    case Shading::phong: break;
+    }
+    return joined({"vertices", "normals", "indices"}, lit_reads);
+}
+
+// A layer shades again with the mask of its one term, so that it reads what shading reads, not the colors of the image.
+Names term_reads(Shading shading, const Names& lit_reads) {
+    Names geometry = {"vertices", "indices"};
+    if (shading == Shading::flat) geometry.push_back("polygons");
+    if (shading != Shading::flat) geometry.push_back("normals");
+    return joined(geometry, lit_reads);
+}
+
+std::string samples(const Plan& plan) {
+    if (plan.multisamples > 1) return fmt::format(", {} samples a pixel", plan.multisamples);
+    if (plan.frames > 1) return fmt::format(", once for each of {} shifted frames", plan.frames);
+    return "";
+}
+
+bool accumulates(const Plan& plan) {
+    return plan.frames > 1 || plan.light_passes > 1;
+}
+
+std::string sum_of(const Plan& plan) {
+    if (plan.light_passes == 1) return fmt::format("mean of {} frames, shifted {}", plan.frames, plan.jittered ? "at random" : "on a grid");
+    return fmt::format("sum of {} groups of at most {} lights, mean of {} frame{}", plan.light_passes, kLightsPerPass, plan.frames,
+                       plan.frames == 1 ? "" : "s");
+}
+
+std::string display_reason(const Plan& plan) {
+    return fmt::format("exposure {:g}, clamp", plan.exposure);
+}
+
+} // namespace
+
+std::string image_of(const Plan& plan) {
+    return accumulates(plan) ? "sum" : "radiance";
+}
+
+std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
+    std::vector<Pass> passes = {
+        {"shade-polygons", "the model once a polygon, at its centre", joined({"polygons"}, lit_reads), {"polygon-colors"}},
+        {"shade-vertices", "the model once a vertex", joined({"vertices", "normals"}, lit_reads), {"vertex-colors"}},
+    };
+    Names targets = {"radiance", "depth"};
+    if (plan.multisamples > 1) targets.push_back("radiance-samples");
+    passes.push_back({"raster", "visible surfaces" + samples(plan), drawn_from(plan.shading, lit_reads), targets});
+    if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
+    for (const std::string& term : plan.terms)
+        passes.push_back({"term-" + term, "a layer of the file", term_reads(plan.shading, lit_reads), {"layer-" + term, "depth"}});
+    passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
+    return passes;
+}
+
+std::vector<Pass> walk_back(std::vector<Pass> candidates, Names wanted) {
+    std::vector<Pass> kept;
+    for (auto pass = candidates.rbegin(); pass != candidates.rend(); ++pass) {
+        const bool needed =
+            std::any_of(pass->writes.begin(), pass->writes.end(), [&](const std::string& w) { return contains(wanted, w); });
+        if (!needed) continue;
+        wanted.insert(wanted.end(), pass->reads.begin(), pass->reads.end());
+        kept.push_back(std::move(*pass));
+    }
+    std::reverse(kept.begin(), kept.end());
+    return kept;
+}
+
+} // namespace lightbench

@@ -1,0 +1,159 @@
+// Decides: effects by their table, then the samples, then passes by walking back from the wanted image, then the resources they name.
+#include "plan/plan.h"
+
+#include "plan/effects.h"
+#include "plan/passes.h"
+#include "shared/effects.h"
+#include "shared/layouts.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace lightbench {
+namespace {
+
+// Sets the mask and the lines of what runs, what does not and what is drawn instead; returns what the wanted effects read.
+std::vector<std::string> decide_effects(const Facts& facts, const Request& request, Plan& plan) {
+    std::set<std::string> reads;
+    for (const Effect& effect : effects()) {
+        const Verdict verdict = effect.wanted(facts, request);
+        const std::string name(effect.name);
+        if (!verdict.wanted) {
+            plan.skipped.push_back({name, verdict.reason});
+        } else if (effect.bit == 0) {
+            plan.fallbacks.push_back({name, fmt::format("{}: {}; not in the rasteriser of this version", verdict.reason, effect.instead)});
+        } else {
+            plan.wanted.push_back({name, verdict.reason});
+            plan.effects |= effect.bit;
+            reads.insert(effect.reads.begin(), effect.reads.end());
+        }
+    }
+    return {reads.begin(), reads.end()};
+}
+
+void decide_lights(const Facts& facts, const Request& request, Plan& plan) {
+    if (!is_lit(facts, request)) return;
+    plan.light_count = facts.lights <= kFewLights ? static_cast<std::uint32_t>(facts.lights) : 0;
+    plan.light_passes = (facts.lights + kLightsPerPass - 1) / kLightsPerPass;
+}
+
+// One frame of 1 or 4 hardware samples unless a pattern was named; every other number of samples is that many shifted frames.
+void decide_samples(const Request& request, Plan& plan) {
+    const bool hardware = request.sampling == Sampling::none && (request.spp == 1 || request.spp == 4);
+    plan.multisamples = hardware ? request.spp : 1;
+    plan.frames = hardware ? 1 : request.spp;
+    plan.jittered = request.sampling == Sampling::jittered;
+}
+
+// Layers: the terms that add up to the image, if they are not 0 everywhere, and what helps to understand it.
+std::vector<std::string> decide_terms(const Facts& facts, const Request& request, std::uint32_t mask) {
+    if (!request.terms || request.output != Output::radiance) return {};
+    std::vector<std::string> terms;
+    if (mask & EFFECT_AMBIENT) terms.push_back("ambient");
+    if (mask & EFFECT_DIFFUSE) terms.push_back("diffuse");
+    if (mask & EFFECT_SPECULAR) terms.push_back("specular");
+    if (mask & EFFECT_EMISSION) terms.push_back("emission");
+    if (facts.background) terms.push_back("background");
+    if (facts.lights > 0) terms.push_back("attenuation");
+    terms.insert(terms.end(), {"normal", "depth", "object"});
+    return terms;
+}
+
+void note_geometry(const Facts& facts, Plan& plan) {
+    if (!facts.geometry) return;
+    plan.triangles = facts.geometry->triangles;
+    if (facts.geometry->dropped_degenerate == 0) return;
+    plan.fallbacks.push_back({"polygons", fmt::format("{} without area: left out", facts.geometry->dropped_degenerate)});
+}
+
+std::vector<std::string> wanted_images(const Plan& plan) {
+    std::vector<std::string> wanted = {plan.output == Output::pixels ? "pixels" : image_of(plan)};
+    for (const std::string& term : plan.terms) wanted.push_back("layer-" + term);
+    return wanted;
+}
+
+// Targets have the whole image's size, whatever the crop; only what is handed out is cropped.
+Resource target(std::string name, std::size_t bytes_per_pixel, std::string reason, const Plan& plan) {
+    return {std::move(name), std::size_t{plan.size.x} * plan.size.y * bytes_per_pixel, std::move(reason)};
+}
+
+Resource table(std::string name, std::size_t count, std::size_t each) {
+    return {std::move(name), count * each, fmt::format("{} of {} bytes", count, each)};
+}
+
+// Buffers sized by the tessellation: 0 bytes until it is known.
+Resource geometry_buffer(const std::string& name, const Facts& facts, const Plan& plan) {
+    if (!facts.geometry) return {name, 0, "sized by the tessellation"};
+    const std::size_t sides = plan.effects & EFFECT_TWO_SIDED ? 2 : 1;
+    if (name == "vertices") return table(name, facts.geometry->vertices, sizeof(gpu_layout::PointPosition));
+    if (name == "normals") return table(name, facts.geometry->vertices, sizeof(gpu_layout::PointNormal));
+    if (name == "indices") return table(name, 3 * facts.geometry->triangles, sizeof(std::uint32_t));
+    if (name == "polygons")
+        return table(name, facts.geometry->polygons, sizeof(gpu_layout::PointPosition) + sizeof(gpu_layout::PointNormal));
+    if (name == "vertex-colors") return table(name, facts.geometry->vertices * sides, sizeof(glm::vec4));
+    return table(name, facts.geometry->polygons * sides, sizeof(glm::vec4)); // polygon-colors
+}
+
+// Describes one resource by its name.
+Resource describe(const std::string& name, const Facts& facts, const Plan& plan) {
+    if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
+    if (name == "materials")
+        return table(name, plan.effects & EFFECT_MANY_MATERIALS ? facts.materials_listed : 1, sizeof(gpu_layout::Material));
+    if (name == "depth") return target(name, 4 * plan.multisamples, "float, reversed", plan);
+    if (name == "radiance-samples") return target(name, 16 * plan.multisamples, fmt::format("{} samples a pixel", plan.multisamples), plan);
+    if (name == "radiance" || name == "sum" || name.starts_with("layer-")) return target(name, 16, "linear, 4 floats", plan);
+    if (name == "pixels") return {name, std::size_t{plan.crop.size.x} * plan.crop.size.y * 4, "8 bit sRGB"};
+    if (name == "census") return {name, sizeof(gpu_layout::Census), "counts pixels that are not finite"};
+    return geometry_buffer(name, facts, plan);
+}
+
+std::vector<Resource> resources_of(const Facts& facts, const Plan& plan) {
+    std::vector<Resource> resources;
+    std::set<std::string> seen;
+    const auto add = [&](const std::string& name) {
+        if (seen.insert(name).second) resources.push_back(describe(name, facts, plan));
+    };
+    for (const Pass& pass : plan.passes) {
+        std::for_each(pass.reads.begin(), pass.reads.end(), add);
+        std::for_each(pass.writes.begin(), pass.writes.end(), add);
+    }
+    return resources;
+}
+
+} // namespace
+
+bool Plan::runs(std::string_view pass) const {
+    return std::any_of(passes.begin(), passes.end(), [&](const Pass& p) { return p.name == pass; });
+}
+
+bool Plan::has(std::string_view resource) const {
+    return std::any_of(resources.begin(), resources.end(), [&](const Resource& r) { return r.name == resource; });
+}
+
+std::vector<std::string> effect_names(std::uint32_t mask) {
+    std::vector<std::string> names;
+    for (const Effect& effect : effects())
+        if (effect.bit & mask) names.emplace_back(effect.name);
+    return names;
+}
+
+Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes) {
+    Plan plan;
+    plan.method = request.method, plan.shading = request.shading, plan.output = request.output;
+    plan.size = request.size.value_or(plan.size);
+    plan.crop = request.crop.value_or(Rect{glm::uvec2(0), plan.size});
+    plan.exposure = request.exposure, plan.seed = request.seed, plan.subdivide = request.subdivide;
+    plan.lights = facts.lights;
+    plan.fallbacks = std::move(notes);
+    note_geometry(facts, plan);
+    const std::vector<std::string> reads = decide_effects(facts, request, plan);
+    decide_lights(facts, request, plan);
+    decide_samples(request, plan);
+    plan.terms = decide_terms(facts, request, plan.effects);
+    plan.passes = walk_back(candidate_passes(plan, reads), wanted_images(plan));
+    plan.resources = resources_of(facts, plan);
+    return plan;
+}
+
+} // namespace lightbench

@@ -1,0 +1,161 @@
+// The effects table: each bit is set when the scene calls for it, and only then, with a reason that is true.
+#include "plan/effects.h"
+#include "plan_scenes.h"
+#include "shared/effects.h"
+
+#include <bit>
+#include <gtest/gtest.h>
+
+namespace lightbench {
+namespace {
+
+using namespace testing;
+
+TEST(PlanEffects, OneDirectionalLightAndNoSpecularMaterial) {
+    const Plan plan = plan_of(lit_sphere(LightType::directional));
+    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT);
+    EXPECT_EQ(reason_of(plan.skipped, "specular"), "no material has ks > 0");
+    EXPECT_EQ(reason_of(plan.skipped, "ambient"), "the ambient light is 0");
+    EXPECT_EQ(reason_of(plan.skipped, "emission"), "no material glows");
+    EXPECT_EQ(reason_of(plan.skipped, "point light"), "no point light");
+    EXPECT_EQ(reason_of(plan.skipped, "attenuation: linear"), "no light has a distance");
+    EXPECT_EQ(reason_of(plan.skipped, "two-sided"), "no surface is seen from behind");
+    EXPECT_EQ(reason_of(plan.skipped, "many-materials"), "every surface has the same material");
+    EXPECT_EQ(reason_of(plan.skipped, "texture"), "no material has one");
+    EXPECT_EQ(reason_of(plan.skipped, "transparency"), "every opacity is 1");
+    EXPECT_EQ(reason_of(plan.wanted, "diffuse"), "the material has kd > 0");
+    EXPECT_EQ(reason_of(plan.wanted, "directional light"), "1 light");
+    EXPECT_TRUE(plan.fallbacks.empty());
+}
+
+TEST(PlanEffects, EveryRowHasItsOwnBitAndEveryEffectALine) {
+    std::uint32_t bits = 0;
+    for (const Effect& effect : effects()) {
+        EXPECT_EQ(bits & effect.bit, 0u) << effect.name;
+        bits |= effect.bit;
+        EXPECT_EQ(effect.bit == 0, !effect.instead.empty()) << effect.name << ": what is not drawn must say what is drawn instead";
+    }
+    EXPECT_EQ(bits, (EFFECT_VANISHING_NORMALS << 1) - 1) << "a bit of shared/effects.h has no row";
+    const Plan plan = plan_of(lit_sphere());
+    EXPECT_EQ(plan.wanted.size() + plan.skipped.size() + plan.fallbacks.size(), effects().size());
+    EXPECT_EQ(plan.wanted.size(), static_cast<std::size_t>(std::popcount(plan.effects)));
+}
+
+TEST(PlanEffects, SpecularNeedsALightAndKs) {
+    Scene scene = bare_sphere();
+    scene.materials[0].specular = glm::vec3(0, 0.1f, 0);
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "specular"), "there is no light");
+    scene.lights.push_back(light_of(LightType::point));
+    EXPECT_TRUE(plan_of(scene).effects & EFFECT_SPECULAR);
+    scene.materials.resize(3);
+    scene.objects.push_back({Sphere{}, 1});
+    scene.objects.push_back({Sphere{}, 2});
+    EXPECT_EQ(reason_of(plan_of(scene).wanted, "specular"), "1 of 3 materials has ks > 0");
+}
+
+TEST(PlanEffects, AmbientNeedsBothIaAndKd) {
+    Scene scene = bare_sphere();
+    scene.environment.ambient = glm::vec3(0.1f);
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_AMBIENT);
+    scene.materials[0].diffuse = glm::vec3(0);
+    EXPECT_EQ(plan_of(scene).effects, 0u);
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "ambient"), "no material has kd > 0");
+}
+
+// A black body under lamps: none of the lamps' bits can change its image.
+TEST(PlanEffects, LightsThatNothingAnswersAreFilteredOut) {
+    Scene scene = with_lights(20);
+    scene.materials[0].diffuse = glm::vec3(0);
+    scene.materials[0].emission = glm::vec3(3);
+    const Plan plan = plan_of(scene);
+    EXPECT_EQ(plan.effects, EFFECT_EMISSION);
+    EXPECT_FALSE(plan.has("lights"));
+    EXPECT_EQ(reason_of(plan.skipped, "point light"), "20 lights, but no material has kd > 0 or ks > 0");
+}
+
+TEST(PlanEffects, EachLawSetsItsOwnBit) {
+    EXPECT_EQ(plan_of(lit_sphere(LightType::point, Attenuation::none)).effects,
+              EFFECT_DIFFUSE | EFFECT_POINT_LIGHT | EFFECT_ATTENUATION_NONE);
+    EXPECT_EQ(plan_of(lit_sphere(LightType::spot, Attenuation::linear)).effects,
+              EFFECT_DIFFUSE | EFFECT_SPOT_LIGHT | EFFECT_ATTENUATION_LINEAR);
+    EXPECT_EQ(plan_of(lit_sphere(LightType::point, Attenuation::inverse_square)).effects,
+              EFFECT_DIFFUSE | EFFECT_POINT_LIGHT | EFFECT_ATTENUATION_INVERSE_SQUARE);
+    EXPECT_EQ(reason_of(plan_of(lit_sphere(LightType::point)).skipped, "attenuation: inverse-square"), "no light uses it");
+}
+
+// (n - 1) u <= 8 u up to nine lights.
+TEST(PlanEffects, TheSumIsCompensatedFromTenLightsOn) {
+    EXPECT_FALSE(plan_of(with_lights(9)).effects & EFFECT_COMPENSATED_SUM);
+    EXPECT_TRUE(plan_of(with_lights(10)).effects & EFFECT_COMPENSATED_SUM);
+}
+
+TEST(PlanEffects, TwoSidedWhereSomethingIsOpenAndLit) {
+    Scene scene = lit_sphere();
+    scene.objects.push_back({Polygon{}});
+    EXPECT_TRUE(plan_of(scene).effects & EFFECT_TWO_SIDED);
+    EXPECT_EQ(reason_of(plan_of(scene).wanted, "two-sided"), "1 of 2 objects may be seen from behind");
+    scene.lights.clear();
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_TWO_SIDED);
+}
+
+TEST(PlanEffects, ClosedMeshesLoseTheBitOnceTessellated) {
+    Scene scene = lit_sphere();
+    scene.meshes.emplace_back().face_starts = {0};
+    scene.objects.push_back({MeshUse{0}});
+    Facts facts = gather_facts(scene);
+    EXPECT_TRUE(decide(facts, {}).effects & EFFECT_TWO_SIDED);
+    facts.geometry = GeometryFacts{};
+    EXPECT_FALSE(decide(facts, {}).effects & EFFECT_TWO_SIDED);
+    facts.geometry->faces_two_sided = 1;
+    EXPECT_TRUE(decide(facts, {}).effects & EFFECT_TWO_SIDED);
+}
+
+TEST(PlanEffects, VanishingNormalsOnlyWithPhongAndTheFilesOwnNormals) {
+    Scene scene = lit_sphere();
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_VANISHING_NORMALS);
+    Polygon polygon;
+    polygon.normals.resize(3);
+    scene.objects.push_back({polygon});
+    EXPECT_TRUE(plan_of(scene).effects & EFFECT_VANISHING_NORMALS);
+    Request gouraud;
+    gouraud.shading = Shading::gouraud;
+    EXPECT_FALSE(plan_of(scene, gouraud).effects & EFFECT_VANISHING_NORMALS);
+    Facts facts = gather_facts(scene);
+    facts.geometry = GeometryFacts{};
+    EXPECT_FALSE(decide(facts, {}).effects & EFFECT_VANISHING_NORMALS);
+    facts.geometry->normals_may_vanish = true;
+    EXPECT_TRUE(decide(facts, {}).effects & EFFECT_VANISHING_NORMALS);
+}
+
+TEST(PlanEffects, ManyMaterialsOnlyIfSeveralAreInUseAndRead) {
+    Scene scene = lit_sphere();
+    scene.materials.resize(2);
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_MANY_MATERIALS);
+    scene.objects.push_back({Sphere{}, 1});
+    EXPECT_TRUE(plan_of(scene).effects & EFFECT_MANY_MATERIALS);
+    scene.lights.clear();
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_MANY_MATERIALS);
+}
+
+TEST(PlanEffects, WhatIsNotDrawnYetSaysWhatIsDrawnInstead) {
+    Scene scene = lit_sphere();
+    Material& m = scene.materials[0];
+    m.model = Model::cook_torrance, m.texture.emplace(), m.bump.emplace(), m.environment = 0.5f;
+    m.opacity = glm::vec3(1, 1, 0.5f), m.transmission = glm::vec3(0.1f), m.reflection = glm::vec3(0.2f);
+    m.fresnel = true, m.scatter = 0.1f, m.dispersion = {1.5f, 0.01f};
+    const Plan plan = plan_of(scene);
+    EXPECT_EQ(reason_of(plan.fallbacks, "cook-torrance"),
+              "1 material: drawn as Phong with their ks and shininess; not in the rasteriser of this version");
+    for (const char* name :
+         {"texture", "bump", "environment", "transparency", "transmission", "reflection", "fresnel", "scatter", "dispersion"})
+        EXPECT_NE(reason_of(plan.fallbacks, name), "(none)") << name;
+    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT);
+}
+
+TEST(PlanEffects, NamesOfAMask) {
+    EXPECT_EQ(effect_names(EFFECT_SPECULAR | EFFECT_AMBIENT), (std::vector<std::string>{"ambient", "specular"}));
+    EXPECT_TRUE(effect_names(0).empty());
+}
+
+} // namespace
+} // namespace lightbench
