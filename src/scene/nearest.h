@@ -1,0 +1,14 @@
+// "Did you mean": the known name nearest to one that is not known.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace lightbench {
+
+// The name of fewest edits (Levenshtein 1965: insert, delete, replace), the first of equals; none if more than a third of the longer
+// word would have to change, so that nonsense gets no answer.
+std::optional<std::string_view> nearest_name(std::string_view word, std::span<const std::string_view> names);
+
+} // namespace lightbench
