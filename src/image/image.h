@@ -1,8 +1,8 @@
 // Pictures in memory.
 #pragma once
 
-#include <cstdint>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lightbench {

@@ -1,0 +1,64 @@
+#include "image/compare.h"
+#include "image/display.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lightbench {
+namespace {
+
+Image8 displayed(const Picture& picture) {
+    if (const auto* linear = std::get_if<ImageF>(&picture)) return display(*linear);
+    return std::get<Image8>(picture);
+}
+
+// NaN is displayed as black: without this, a hole in the picture would pass a gate on FLIP wherever the reference is dark.
+void mark_non_finite(FlipMap& map, const Picture& picture) {
+    const auto* linear = std::get_if<ImageF>(&picture);
+    if (!linear) return;
+    for (std::size_t i = 0; i < map.error.size(); ++i) {
+        const float* p = &linear->rgba[i * 4];
+        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) map.error[i] = 1.0f;
+    }
+}
+
+// Green 2011, "A colour scheme for the display of astronomical intensity images", eq. 2: perceived brightness rises with `t` while the
+// hue turns; start 0.5, 1.5 turns backwards, saturation 1, gamma 1.
+std::array<std::uint8_t, 3> cubehelix(double t) {
+    double angle = 2 * std::numbers::pi * (0.5 / 3 + 1 - 1.5 * t);
+    double amplitude = t * (1 - t) / 2, c = std::cos(angle), s = std::sin(angle);
+    auto step = [](double v) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0, 1.0))); };
+    return {step(t + amplitude * (-0.14861 * c + 1.78277 * s)), step(t + amplitude * (-0.29227 * c - 0.90649 * s)),
+            step(t + amplitude * 1.97294 * c)};
+}
+
+} // namespace
+
+Comparison compare(const Picture& reference, const Picture& test) {
+    Image8 shown_reference = displayed(reference), shown_test = displayed(test);
+    const auto *a = std::get_if<ImageF>(&reference), *b = std::get_if<ImageF>(&test);
+    Comparison result;
+    result.space = a && b ? "linear" : "display";
+    result.metrics = a && b ? metrics(*a, *b) : metrics(shown_reference, shown_test);
+    if (a) result.metrics.non_finite_reference = count_non_finite(*a);
+    if (b) result.metrics.non_finite_test = count_non_finite(*b);
+    result.flip_map = flip(shown_reference, shown_test);
+    mark_non_finite(result.flip_map, reference);
+    mark_non_finite(result.flip_map, test);
+    result.flip_mean = mean(result.flip_map);
+    return result;
+}
+
+Image8 difference_picture(const FlipMap& map) {
+    Image8 picture{.width = map.width, .height = map.height, .rgba = {}};
+    picture.rgba.reserve(map.error.size() * 4);
+    for (float e : map.error) {
+        auto color = cubehelix(static_cast<double>(e));
+        picture.rgba.insert(picture.rgba.end(), {color[0], color[1], color[2], 255});
+    }
+    return picture;
+}
+
+} // namespace lightbench
