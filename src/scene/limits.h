@@ -6,6 +6,9 @@
 namespace lightbench::limits {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 30;        // a scene or mesh file
+constexpr std::size_t kMaxTomlBytes = std::size_t{1} << 26;        // a TOML file: the parser needs 20 times that; larger scenes go through NFF
+constexpr std::size_t kMaxTomlValues = std::size_t{1} << 23;       // values of a TOML file
+constexpr std::size_t kMaxStringBytes = 65536;                     // one name or text in a scene file
 constexpr std::size_t kMaxObjects = std::size_t{1} << 22;          // objects of one scene (sphereflake of depth 6 has 597 872)
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 26;        // triangles after tessellation; 32-bit indices, 6 GiB of streams
 constexpr std::size_t kMaxLights = std::size_t{1} << 20;

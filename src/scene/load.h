@@ -10,13 +10,14 @@
 namespace lightbench {
 
 struct LoadOptions {
-    bool allow_outside = false;             // may a scene name files outside its own folder?
-    std::size_t max_problems = 100;         // further ones are counted, not listed
+    bool allow_outside = false;     // may a scene name files outside its own folder?
+    std::size_t max_problems = 100; // further ones are counted, not listed
 };
 
 struct Loaded {
-    std::optional<Scene> scene;             // present iff `problems` is empty
-    Problems problems;
+    std::optional<Scene> scene; // present iff `problems` is empty
+    Problems problems;          // if some are not listed, the last one says how many
+    std::size_t unlisted = 0;   // found, beyond LoadOptions::max_problems
 };
 
 // Never throws for bad input: every problem found comes back with its line. Throws std::bad_alloc and the like only.
