@@ -17,7 +17,7 @@ phase_suite() { run_suite; }
 
 phase_format() {
     install_packages clang-format-16
-    find "$top/src" "$top/tests" "$top/shaders/shared" -name '*.cpp' -o -name '*.h' | xargs clang-format-16 --dry-run -Werror
+    find "$top/src" "$top/tests" -name '*.cpp' -o -name '*.h' | xargs clang-format-16 --dry-run -Werror
 }
 
 # Everything is compiled once more, at -O0 and with clang-tidy beside the compiler.
@@ -47,10 +47,10 @@ phase_swiftshader() {
     prepare_tests
     if [ ! -e "$folder/libvk_swiftshader.so" ]; then
         mkdir -p "$folder"
-        (cd "$folder" && apt-get -q download chromium >&2)
-        dpkg --fsys-tarfile "$folder"/chromium_*.deb |
+        (cd "$folder" && apt-get -q -o APT::Sandbox::User=root download chromium-common >&2)
+        dpkg --fsys-tarfile "$folder"/chromium-common_*.deb |
             tar -x -C "$folder" --strip-components=4 --wildcards '*/libvk_swiftshader.so' '*/vk_swiftshader_icd.json'
-        rm -f "$folder"/chromium_*.deb
+        rm -f "$folder"/chromium-common_*.deb
     fi
     VK_DRIVER_FILES=$folder/vk_swiftshader_icd.json suite_cmd "$build" -R "$gpu_tests"
 }
@@ -64,7 +64,8 @@ phase_mesa25() {
         # shellcheck disable=SC1091
         download_beside "$(. /etc/os-release && printf '%s' "$VERSION_CODENAME")-backports" "$folder" mesa-vulkan-drivers libdrm2 libdrm-amdgpu1
         sed "s|\"library_path\": \".*libvulkan_lvp.so\"|\"library_path\": \"$libraries/libvulkan_lvp.so\"|" \
-            "$folder"/usr/share/vulkan/icd.d/lvp_icd.*.json >"$folder/lvp_icd.json"
+            "$folder"/usr/share/vulkan/icd.d/lvp_icd*.json >"$folder/lvp_icd.json.part"
+        mv "$folder/lvp_icd.json.part" "$folder/lvp_icd.json"
     fi
     LD_LIBRARY_PATH=$libraries VK_DRIVER_FILES=$folder/lvp_icd.json suite_cmd "$build" -R "$gpu_tests"
 }
