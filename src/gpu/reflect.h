@@ -24,7 +24,7 @@ enum class BindingKind {
 const char* to_string(BindingKind kind);
 
 struct ReflectedBinding {
-    std::string name; // of the variable; of its block if the variable has none
+    std::string name{}; // of the variable; of its block if the variable has none
     std::uint32_t set = 0, binding = 0;
     BindingKind kind{};
     bool read = true, written = false; // by its decorations: `readonly`, `writeonly`
@@ -36,16 +36,16 @@ struct ReflectedBinding {
 struct ReflectedVariable {
     std::uint32_t location = 0;
     vk::Format format{}; // R32G32B32_SFLOAT for a vec3, and so on
-    std::string name;
+    std::string name{};
 };
 
 struct Reflection {
     vk::ShaderStageFlagBits stage{};
-    std::vector<ReflectedBinding> bindings;    // ordered by set, then binding
+    std::vector<ReflectedBinding> bindings{};  // ordered by set, then binding
     std::uint32_t push_size = 0;               // bytes of the push constant block; 0: none
     std::array<std::uint32_t, 3> local_size{}; // compute only
-    std::vector<ReflectedVariable> inputs;     // ordered by location
-    std::vector<ReflectedVariable> outputs;
+    std::vector<ReflectedVariable> inputs{};   // ordered by location
+    std::vector<ReflectedVariable> outputs{};
     const ReflectedBinding* find(std::string_view name) const; // null: none
 };
 

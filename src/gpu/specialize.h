@@ -15,4 +15,8 @@ using Constants = std::map<std::uint32_t, std::uint32_t>; // constant_id -> the 
 // Live variables keep their names. Inputs that nothing reads go; outputs stay, so a vertex stage never falls short of its fragment stage.
 std::vector<std::uint32_t> specialize(const ShaderCode& code, const Constants& constants);
 
+// The vertex stage without the outputs that the fragment stage does not read, and without what was computed for them alone.
+// No fragment words: depth only, nothing but the position stays. Both stages are specialised first.
+std::vector<std::uint32_t> drop_unread_outputs(std::span<const std::uint32_t> vertex, std::span<const std::uint32_t> fragment);
+
 } // namespace lightbench::gpu
