@@ -13,30 +13,30 @@
 namespace lightbench::gpu {
 
 struct DeviceRequest {
-    std::string choice;      // part of a name, or an index of list_devices(); empty: LIGHTBENCH_DEVICE, else hardware first, then lavapipe
+    std::string choice{};    // part of a name, or an index of list_devices(); empty: LIGHTBENCH_DEVICE, else hardware first, then lavapipe
     bool validation = false; // also switched on by LIGHTBENCH_VALIDATION=1
 };
 
 struct DeviceInfo {
-    std::string name;                     // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    std::string driver;                   // "llvmpipe"
-    std::string version;                  // Vulkan version, then the driver's own words: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)"
+    std::string name{};                   // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    std::string driver{};                 // "llvmpipe"
+    std::string version{};                // Vulkan version, then the driver's own words: "1.3.230, Mesa 22.3.6 (LLVM 15.0.6)"
     bool is_cpu = false;                  // memory is the host's: all of it is mapped, nothing is staged
     std::uint32_t subgroup_size = 0;      // invocations
     double timestamp_period = 0;          // nanoseconds a tick
     std::uint64_t max_texel_elements = 0; // texels of a texel buffer
     std::uint64_t max_storage_range = 0;  // bytes of one storage binding
     std::uint32_t max_push_bytes = 0;
-    std::uint32_t max_image_side = 0;   // pixels
-    std::uint32_t max_group_count = 0;  // work groups along x
-    std::uint64_t heap_bytes = 0;       // sum of the device-local heaps
-    vk::SampleCountFlags sample_counts; // that colour and depth attachments both have
+    std::uint32_t max_image_side = 0;     // pixels
+    std::uint32_t max_group_count = 0;    // work groups along x
+    std::uint64_t heap_bytes = 0;         // sum of the device-local heaps
+    vk::SampleCountFlags sample_counts{}; // that colour and depth attachments both have
 };
 
 // A device and what it lacks of what lightbench requires; nothing, for one that can be used.
 struct DeviceDescription {
-    DeviceInfo info;
-    std::vector<std::string> lacks;
+    DeviceInfo info{};
+    std::vector<std::string> lacks{};
 };
 
 // In the loader's order; a device's place is its index. Empty if there is no driver or no loader.

@@ -12,10 +12,10 @@ namespace lightbench::gpu {
 
 // One specialised stage, kept for tests and for matching names.
 struct Stage {
-    std::string shader;                // path of the GLSL file
-    std::vector<std::uint32_t> words;  // specialised
-    Reflection reflection;             // of the specialised words
-    std::vector<std::string> declared; // names of all bindings before specialisation: these may be offered, even where they are dead now
+    std::string shader{};                // path of the GLSL file
+    std::vector<std::uint32_t> words{};  // specialised
+    Reflection reflection{};             // of the specialised words
+    std::vector<std::string> declared{}; // names of all bindings before specialisation: these may be offered, even where they are dead now
 };
 
 struct PipelineState;
@@ -45,18 +45,18 @@ struct VertexAttribute {
 };
 
 struct VertexLayout {
-    std::uint32_t stride = 0;                // bytes
-    std::vector<VertexAttribute> attributes; // those that the specialised vertex stage does not read are left out
+    std::uint32_t stride = 0;                  // bytes
+    std::vector<VertexAttribute> attributes{}; // those that the specialised vertex stage does not read are left out
 };
 
 struct GraphicsDesc {
-    std::string name; // for people and debuggers
-    ShaderCode vertex;
-    std::optional<ShaderCode> fragment;       // absent: depth only
-    Constants constants;                      // of both stages
-    std::size_t push_size = 0;                // bytes of the C++ struct that will be pushed, 0 for none
-    std::vector<VertexLayout> vertex_buffers; // in the order of DrawPass::vertex_buffers
-    std::vector<vk::Format> color_formats;
+    std::string name{}; // for people and debuggers
+    ShaderCode vertex{};
+    std::optional<ShaderCode> fragment{};       // absent: depth only
+    Constants constants{};                      // of both stages
+    std::size_t push_size = 0;                  // bytes of the C++ struct that will be pushed, 0 for none
+    std::vector<VertexLayout> vertex_buffers{}; // in the order of DrawPass::vertex_buffers
+    std::vector<vk::Format> color_formats{};
     vk::Format depth_format = vk::Format::eUndefined;
     unsigned samples = 1;
     bool sample_shading = false; // the fragment stage runs once a sample

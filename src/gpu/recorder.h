@@ -16,7 +16,7 @@ namespace lightbench::gpu {
 // (both CHECKed); one that specialisation removed may be offered and is then not touched.
 struct Binding {
     std::string_view name;
-    std::variant<Buffer*, Image*> resource;
+    std::variant<Buffer*, Image*> resource{};
     vk::DeviceSize offset = 0, bytes = VK_WHOLE_SIZE; // of a storage or uniform buffer; texel buffers are always bound whole
     Binding(std::string_view binding, Buffer& buffer, vk::DeviceSize from = 0, vk::DeviceSize size = VK_WHOLE_SIZE)
         : name(binding), resource(&buffer), offset(from), bytes(size) {}
@@ -30,30 +30,30 @@ struct Groups {
 
 struct ColorTarget {
     Image* image = nullptr;
-    std::optional<vk::ClearColorValue> clear; // absent: what is there is kept
-    Image* resolve = nullptr;                 // one sample, the average of the image's samples
-    bool store = true;                        // false: only the resolved image is wanted
+    std::optional<vk::ClearColorValue> clear{}; // absent: what is there is kept
+    Image* resolve = nullptr;                   // one sample, the average of the image's samples
+    bool store = true;                          // false: only the resolved image is wanted
 };
 
 struct DepthTarget {
     Image* image = nullptr;
-    std::optional<float> clear;
+    std::optional<float> clear{};
     bool store = true;
 };
 
 struct RenderTargets {
-    std::vector<ColorTarget> colors;
-    std::optional<DepthTarget> depth;
-    vk::Rect2D area; // pixels; also the first scissor
+    std::vector<ColorTarget> colors{};
+    std::optional<DepthTarget> depth{};
+    vk::Rect2D area{}; // pixels; also the first scissor
 };
 
 struct DrawPass {
-    std::vector<const GraphicsPipeline*> pipelines; // one or several; the first is bound when the pass begins
-    RenderTargets targets;
-    std::vector<Buffer*> vertex_buffers;
-    Buffer* index_buffer = nullptr;       // 32-bit
-    Bindings bindings;                    // for all pipelines
-    std::optional<vk::Viewport> viewport; // absent: the whole target, depth 0 to 1
+    std::vector<const GraphicsPipeline*> pipelines{}; // the first is bound when the pass begins; none: the pass only clears
+    RenderTargets targets{};
+    std::vector<Buffer*> vertex_buffers{};
+    Buffer* index_buffer = nullptr;         // 32-bit
+    Bindings bindings{};                    // for all pipelines
+    std::optional<vk::Viewport> viewport{}; // absent: the whole target, depth 0 to 1
 };
 
 struct RecorderState;
@@ -74,11 +74,11 @@ class DrawContext {
     RecorderState& recorder_;
     const DrawPass& pass_;
     const GraphicsPipeline* pipeline_ = nullptr;
-    std::vector<std::vector<vk::DescriptorSet>> sets_; // of each pipeline
+    std::vector<std::vector<vk::DescriptorSet>> sets_{}; // of each pipeline
 };
 
 struct PassTime {
-    std::string name;
+    std::string name{};
     double milliseconds = 0; // device timestamps
 };
 using Timings = std::vector<PassTime>;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "scene/make.h"
-#include "scene/transform.h"
 
 #include <numbers>
 
@@ -21,9 +20,7 @@ Scene make_room(const MakeValues&);
 Scene make_lights(const MakeValues&);
 Scene make_mesh(const MakeValues&);
 
-constexpr double radians_of(double degrees) {
-    return degrees * (std::numbers::pi / 180);
-}
+constexpr double radians_of(double degrees) { return degrees * (std::numbers::pi / 180); }
 
 // Each returns the index of what it added, or the thing itself to be adjusted.
 std::uint32_t add_material(Scene& scene, Material material);
@@ -36,7 +33,8 @@ Light& add_point_light(Scene& scene, glm::dvec3 position, glm::vec3 intensity, A
 Light& add_directional_light(Scene& scene, glm::dvec3 direction, glm::vec3 intensity);
 Camera& add_camera(Scene& scene, glm::dvec3 position, glm::dvec3 target, double fov_degrees);
 
-std::uint32_t add_transform(Scene& scene, const TransformParts& placement);
+// translate * rotateZ * rotateY * rotateX * scale, degrees.
+std::uint32_t add_transform(Scene& scene, glm::dvec3 translate, glm::dvec3 rotate, glm::dvec3 scale);
 
 void add_face(Mesh& mesh, std::initializer_list<std::uint32_t> corners);
 
