@@ -21,6 +21,9 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 FETCH_TABLE(materials, FETCH_MATERIALS, 0)
 FETCH_TABLE(lights, FETCH_LIGHTS, 2)
 
+// 2^-126: keeps 1/sqrt finite at 0, and changes nothing above.
+const float kLeastNormal = 1.1754944e-38;
+
 struct Surface {
     vec3 position;   // frame
     vec3 normal;     // unit, on the side that is seen
@@ -38,17 +41,29 @@ bool wants(uint effect) { return (kEffects & effect) != 0u; }
 // True if `effect` is the only one of `family` in the mask: then nobody needs to ask a light which it is.
 bool only(uint effect, uint family) { return (kEffects & family) == effect; }
 
+// Only what a term of the mask reads is fetched; the rest is 0.
 Material read_material(uint index) {
     uint at = wants(EFFECT_MANY_MATERIALS) ? 3u * index : 0u;
-    uvec4 a = fetch_materials(at), b = fetch_materials(at + 1u), c = fetch_materials(at + 2u);
+    uvec4 a = uvec4(0u), b = uvec4(0u), c = uvec4(0u);
+    if (wants(EFFECT_AMBIENT | EFFECT_DIFFUSE | EFFECT_SPECULAR)) a = fetch_materials(at);
+    if (wants(EFFECT_SPECULAR)) b = fetch_materials(at + 1u);
+    if (wants(EFFECT_EMISSION)) c = fetch_materials(at + 2u);
     return Material(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), 0u, uintBitsToFloat(c.xyz), 0.0);
 }
 
 Light read_light(uint index) {
-    uvec4 a = fetch_lights(4u * index), b = fetch_lights(4u * index + 1u);
-    uvec4 c = fetch_lights(4u * index + 2u), d = fetch_lights(4u * index + 3u);
+    uvec4 a = fetch_lights(4u * index), b = fetch_lights(4u * index + 1u), c = uvec4(0u), d = uvec4(0u);
+    if (wants(EFFECT_SPOT_LIGHT | EFFECT_ATTENUATION_LINEAR)) c = fetch_lights(4u * index + 2u);
+    if (wants(EFFECT_SPOT_LIGHT)) d = fetch_lights(4u * index + 3u);
     return Light(uintBitsToFloat(a.xyz), a.w, uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.xyz), uintBitsToFloat(c.w),
                  uintBitsToFloat(d.x), uintBitsToFloat(d.y), 0.0, 0.0);
+}
+
+// Unit vector from p to the viewer; 0 where no term reads it.
+vec3 direction_to_viewer(vec3 p) {
+    if (!wants(EFFECT_SPECULAR)) return vec3(0.0);
+    vec3 to_eye = push.eye - p;
+    return to_eye * inversesqrt(max(dot(to_eye, to_eye), kLeastNormal));
 }
 
 // S4. The factor by which a positional light's Ip arrives at distance d.
@@ -64,8 +79,7 @@ float attenuation(Light light, float d) {
 
 Arrival arrive_positional(Light light, vec3 p) {
     vec3 to_light = light.position - p;
-    // 2^-126, the least normal float: with the light at the point itself L is 0, so that its terms vanish (LI-5).
-    float d2 = max(dot(to_light, to_light), 1.1754944e-38);
+    float d2 = max(dot(to_light, to_light), kLeastNormal); // a light at the point itself has L = 0: its terms vanish (LI-5)
     float inverse = inversesqrt(d2);
     Arrival a = Arrival(to_light * inverse, light.intensity * attenuation(light, d2 * inverse));
     const uint types = EFFECT_POINT_LIGHT | EFFECT_SPOT_LIGHT;

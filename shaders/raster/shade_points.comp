@@ -24,8 +24,7 @@ void main() {
     Surface s;
     s.position = uintBitsToFloat(fetch_positions(i).xyz);
     s.normal = uintBitsToFloat(normal.xyz);
-    vec3 to_eye = push.eye - s.position;
-    s.to_viewer = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1.1754944e-38));
+    s.to_viewer = direction_to_viewer(s.position);
     Material m = read_material(normal.w);
     if (wants(EFFECT_TWO_SIDED)) {
         colors[2u * i] = vec4(evaluate(s, m), 1.0);

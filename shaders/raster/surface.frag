@@ -26,13 +26,12 @@ vec3 seen_normal() {
         if (dot(face, push.eye - position) < 0.0) face = -face;
         if (dot(n, n) < 9.094947e-13) n = gl_FrontFacing ? face : -face;
     }
-    n *= inversesqrt(max(dot(n, n), 1.1754944e-38));
+    n *= inversesqrt(max(dot(n, n), kLeastNormal));
     return wants(EFFECT_TWO_SIDED) && !gl_FrontFacing ? -n : n;
 }
 
 vec3 shade_fragment() {
-    vec3 to_eye = push.eye - position;
-    Surface s = Surface(position, seen_normal(), to_eye * inversesqrt(max(dot(to_eye, to_eye), 1.1754944e-38)));
+    Surface s = Surface(position, seen_normal(), direction_to_viewer(position));
     if (kOutput == OUTPUT_NORMAL) return s.normal;
     return shade(s, read_material(material));
 }

@@ -1,6 +1,7 @@
 // Lines, words and numbers of text files.
 #include "scene/import_text.h"
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 
@@ -64,7 +65,7 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
     constexpr std::size_t kLongest = 60;
     const std::string clean = clean_name(word.substr(0, kLongest));
     return '"' + clean + (word.size() > kLongest ? "...\"" : "\"");
@@ -85,19 +86,19 @@ std::string clean_name(std::string_view name) {
 }
 
 std::string_view LineReader::take() {
-    const std::size_t end = rest.find_first_of("\r\n");
+    std::size_t end = 0;
+    while (end < rest.size() && rest[end] != '\n' && rest[end] != '\r') ++end;
     const std::string_view text = rest.substr(0, end);
-    if (end == rest.npos)
-        rest = {};
-    else
-        rest.remove_prefix(rest.substr(end).starts_with("\r\n") ? end + 2 : end + 1);
+    const std::size_t taken = std::min(rest.size(), rest.substr(end).starts_with("\r\n") ? end + 2 : end + 1);
+    rest.remove_prefix(taken);
+    bytes_taken += taken;
     ++lines_taken;
     return text;
 }
 
 std::optional<std::string_view> LineReader::next() {
     if (rest.empty()) return {};
-    line = lines_taken + 1;
+    line = lines_taken + 1, start = bytes_taken;
     std::string_view text = take();
     if (!joins || !text.ends_with('\\')) return text;
     joined.clear();

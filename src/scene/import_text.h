@@ -18,7 +18,7 @@ std::optional<long long> parse_integer(std::string_view word);
 std::string_view next_word(std::string_view& rest);
 
 // The words of a message stay short and printable, whatever the file holds.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 // A name as Scene keeps it: valid UTF-8 without control characters; anything else becomes '?'.
 std::string clean_name(std::string_view name);
@@ -27,11 +27,12 @@ std::string clean_name(std::string_view name);
 struct LineReader {
     std::string_view rest;
     bool joins = false;
-    unsigned line = 0; // of the last line returned, counted from 1
+    unsigned line = 0;     // of the last line returned, counted from 1
+    std::size_t start = 0; // its place in the text
     std::optional<std::string_view> next();
 
-  private:
     unsigned lines_taken = 0;
+    std::size_t bytes_taken = 0;
     std::string joined;
     std::string_view take();
 };

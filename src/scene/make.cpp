@@ -20,40 +20,39 @@ constexpr double kSpheresMax = static_cast<double>(limits::kMaxObjects - 1); // 
 constexpr double kLightsMax = 65536;
 constexpr double kMeshMax = 50e6;
 
-constexpr MakeParameter kSphereflake[] = {
-    {"depth", 4, 0, 6, true, "generations of children, nine to a ball: (9^(depth+1) - 1) / 8 spheres",
-     "depth 7 has 5 380 840 spheres, and a scene holds at most 4 194 304 objects"}};
+constexpr MakeParameter kSphereflake[] = {{"depth", 4, 0, 6, true, "generations of children, nine to a ball: (9^(depth+1) - 1) / 8 spheres",
+                                           "depth 7 has 5 380 840 spheres, and a scene holds at most 4 194 304 objects"}};
 constexpr MakeParameter kCornellBox[] = {
     {"point_light", 1, 0, 1, true, "1: a light below the lamp for methods without area lights, and the ambient term; 0: the lamp alone"}};
-constexpr MakeParameter kCorrugated[] = {
-    {"ridges", 12, 2, 1000, true, "ridges of the sheet"},
-    {"slope", 40, 1, 80, false, "degrees, of each side against the horizontal"},
-    {"subdivide", 1, 1, 64, true, "strips a side is cut into; 1: the failure, 2 and more: the cure"}};
+constexpr MakeParameter kCorrugated[] = {{"ridges", 12, 2, 1000, true, "ridges of the sheet"},
+                                         {"slope", 40, 1, 80, false, "degrees, of each side against the horizontal"},
+                                         {"subdivide", 1, 1, 64, true, "strips a side is cut into; 1: the failure, 2 and more: the cure"}};
 constexpr MakeParameter kHighlight[] = {
     {"subdivide", 0, 0, 8, true, "times the triangle is quartered; 0: the highlight is lost, 4: it is back"},
     {"shininess", 60, 1, 1000, false, "Phong exponent"}};
 constexpr MakeParameter kMachBand[] = {{"facets", 8, 3, 1000, true, "facets of the half cylinder"}};
 constexpr MakeParameter kCrease[] = {
     {"crease", 30, 0, 180, false, "degrees, crease angle of the objects on the right; those on the left are smoothed over every edge"}};
-constexpr MakeParameter kSpheres[] = {{"n", 1000, 1, kSpheresMax, true, "spheres in a cubic grid", "a scene holds at most 4 194 304 objects"}};
+constexpr MakeParameter kSpheres[] = {
+    {"n", 1000, 1, kSpheresMax, true, "spheres in a cubic grid", "a scene holds at most 4 194 304 objects"}};
 constexpr MakeParameter kMirrors[] = {
     {"length", 12, 2, 1000, false, "metres, of the corridor"},
     {"reflection", 0.85, 0, 1, false, "of the two mirrors; 1 loses nothing, so that only the depth limit ends a ray"}};
-constexpr MakeParameter kRoom[] = {
-    {"furnished", 1, 0, 1, true, "1: a table and a shelf of boxes stand in it; 0: empty, for closed forms"},
-    {"reflectance", 0.6, 0, 0.99, false, "diffuse, of the white surfaces"}};
-constexpr MakeParameter kLights[] = {{"n", 100, 1, kLightsMax, true, "point lights", "with more than 65 536 no picture ends in reasonable time"},
-                                     {"objects", 64, 1, 10000, true, "objects below them"}};
-constexpr MakeParameter kMesh[] = {
-    {"triangles", 1e6, 12, kMeshMax, true, "about as many; exactly 12 k^2 for a whole k",
-     "50 000 000 fill a PLY file of 1 GiB, the most that is read"},
-    {"bumps", 9, 0, 100, true, "waves around the body; 0: a sphere"}};
+constexpr MakeParameter kRoom[] = {{"furnished", 1, 0, 1, true, "1: a table and a shelf of boxes stand in it; 0: empty, for closed forms"},
+                                   {"reflectance", 0.6, 0, 0.99, false, "diffuse, of the white surfaces"}};
+constexpr MakeParameter kLights[] = {
+    {"n", 100, 1, kLightsMax, true, "point lights", "with more than 65 536 no picture ends in reasonable time"},
+    {"objects", 64, 1, 10000, true, "objects below them"}};
+constexpr MakeParameter kMesh[] = {{"triangles", 1e6, 12, kMeshMax, true, "about as many; exactly 12 k^2 for a whole k",
+                                    "50 000 000 fill a PLY file of 1 GiB, the most that is read"},
+                                   {"bumps", 9, 0, 100, true, "waves around the body; 0: a sphere"}};
 
 constexpr MakeKind kKinds[] = {
     {"sphereflake", "balls on balls, nine to each, a third in size (Haines 1987, SPD `balls`)", kSphereflake, make_sphereflake},
     {"primitives", "one of each shape on a floor, three lights", {}, make_primitives},
     {"cornell-box", "the measured box of Cornell University: geometry, reflectances, camera", kCornellBox, make_cornell_box},
-    {"corrugated", "a regular corrugated sheet: all averaged normals are parallel, so Gouraud and Phong show it flat", kCorrugated, make_corrugated},
+    {"corrugated", "a regular corrugated sheet: all averaged normals are parallel, so Gouraud and Phong show it flat", kCorrugated,
+     make_corrugated},
     {"highlight", "a highlight in the middle of one large triangle: Gouraud loses it", kHighlight, make_highlight},
     {"mach-band", "a faceted half cylinder and an intensity ramp: bands at every edge and kink", kMachBand, make_mach_band},
     {"crease", "bodies with sharp edges, smoothed over them (left) and not (right)", kCrease, make_crease},
@@ -85,8 +84,8 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 std::string range_of(const MakeParameter& p) {
-    return fmt::format("a {} from {} to {}{}{}{}", p.integer ? "whole number" : "number", p.min, p.max, p.limit.empty() ? "" : " (", p.limit,
-                       p.limit.empty() ? "" : ")");
+    return fmt::format("a {} from {} to {}{}{}{}", p.integer ? "whole number" : "number", p.min, p.max, p.limit.empty() ? "" : " (",
+                       p.limit, p.limit.empty() ? "" : ")");
 }
 
 // Reads one `k=v` into `values`; says what is wrong with it, if anything.
@@ -113,9 +112,13 @@ double MakeValues::operator[](std::string_view name) const {
     std::abort();
 }
 
-std::size_t MakeValues::count(std::string_view name) const { return static_cast<std::size_t>((*this)[name]); }
+std::size_t MakeValues::count(std::string_view name) const {
+    return static_cast<std::size_t>((*this)[name]);
+}
 
-std::span<const MakeKind> make_kinds() { return kKinds; }
+std::span<const MakeKind> make_kinds() {
+    return kKinds;
+}
 
 std::variant<Scene, Problems> make_scene(std::string_view kind_name, const MakeArguments& arguments) {
     const auto kind = std::find_if(std::begin(kKinds), std::end(kKinds), [&](const MakeKind& row) { return row.name == kind_name; });

@@ -16,18 +16,18 @@ namespace lightbench {
 struct MakeParameter {
     std::string_view name;
     double default_value;
-    double min, max;                // inclusive
-    bool integer;                   // whole numbers only
-    std::string_view meaning;       // with its unit
-    std::string_view limit = {};    // why max is what it is, where a limit of the program sets it
+    double min, max;             // inclusive
+    bool integer;                // whole numbers only
+    std::string_view meaning;    // with its unit
+    std::string_view limit = {}; // why max is what it is, where a limit of the program sets it
 };
 
 // The parameters of one call, checked: as typed, else their defaults.
 struct MakeValues {
     std::span<const MakeParameter> parameters;
-    std::vector<double> values;     // one a parameter
-    double operator[](std::string_view name) const;      // aborts on a name that the kind does not have: our bug
-    std::size_t count(std::string_view name) const;      // of a parameter that is a whole number >= 0
+    std::vector<double> values;                     // one a parameter
+    double operator[](std::string_view name) const; // aborts on a name that the kind does not have: our bug
+    std::size_t count(std::string_view name) const; // of a parameter that is a whole number >= 0
 };
 
 struct MakeKind {

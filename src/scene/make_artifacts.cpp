@@ -115,7 +115,8 @@ Scene make_mach_band(const MakeValues& values) {
 // The same two bodies twice: a cube and a fine prism, each with edges of 90 degrees, and the prism's sides 15 degrees from one another.
 Scene make_crease(const MakeValues& values) {
     Scene scene;
-    const std::uint32_t clay = add_glossy(scene, "clay", {0.75f, 0.5f, 0.35f}, 0.25f, 25), floor = add_diffuse(scene, "floor", glm::vec3(0.35f));
+    const std::uint32_t clay = add_glossy(scene, "clay", {0.75f, 0.5f, 0.35f}, 0.25f, 25),
+                        floor = add_diffuse(scene, "floor", glm::vec3(0.35f));
     add_polygon(scene, {{-20, 0, 20}, {20, 0, 20}, {20, 0, -20}, {-20, 0, -20}}, floor);
     for (const bool right : {false, true}) {
         const double x = right ? 1.7 : -1.7;

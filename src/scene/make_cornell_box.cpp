@@ -35,7 +35,8 @@ void add_block(Scene& scene, const Quad& top, std::uint32_t material) {
 // The lamp of area A sends LA cos(theta) into the direction theta. Straight down, an inverse-square light of Ip / (4 pi d^2) gives the same
 // irradiance over pi when Ip = 4 LA; as a wide spot that fades over its whole cone it spares the ceiling, as the lamp does.
 void add_light_below_lamp(Scene& scene, double lamp_area) {
-    Light& light = add_point_light(scene, {278, kLampHeight - 1, 279.5}, 4 * static_cast<float>(lamp_area) * kLampRadiance, Attenuation::inverse_square);
+    Light& light = add_point_light(scene, {278, kLampHeight - 1, 279.5}, 4 * static_cast<float>(lamp_area) * kLampRadiance,
+                                   Attenuation::inverse_square);
     light.type = LightType::spot;
     light.direction = {0, -1, 0};
     light.angle = radians_of(90);

@@ -61,7 +61,8 @@ Scene make_lights(const MakeValues& values) {
     add_polygon(scene, {{-5, 0, 5}, {5, 0, 5}, {5, 0, -5}, {-5, 0, -5}}, floor);
     const double cell = kField / static_cast<double>(side), r = 0.32 * std::min(cell, 1.2);
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 at((static_cast<double>(i % side) + 0.5) * cell - kField / 2, 0, (static_cast<double>(i / side) + 0.5) * cell - kField / 2);
+        const glm::dvec3 at((static_cast<double>(i % side) + 0.5) * cell - kField / 2, 0,
+                            (static_cast<double>(i / side) + 0.5) * cell - kField / 2);
         const auto paint = static_cast<std::uint32_t>(i % kPaints);
         const std::array<Shape, 4> shapes = {Sphere{at + glm::dvec3(0, r, 0), r}, Cone{at, at + glm::dvec3(0, 2.5 * r, 0), r, 0, true},
                                              Torus{at + glm::dvec3(0, 0.3 * r, 0), {0, 1, 0}, 0.8 * r, 0.3 * r},
@@ -70,7 +71,8 @@ Scene make_lights(const MakeValues& values) {
     }
     const double pitch = kField / static_cast<double>(k);
     for (std::size_t i = 0; i < n; ++i) {
-        const double x = (static_cast<double>(i % k) + 0.5) * pitch - kField / 2, z = (static_cast<double>(i / k) + 0.5) * pitch - kField / 2;
+        const double x = (static_cast<double>(i % k) + 0.5) * pitch - kField / 2,
+                     z = (static_cast<double>(i / k) + 0.5) * pitch - kField / 2;
         const double h = std::fmod(static_cast<double>(i) * 0.618033988749895, 1.0); // the golden section: neighbours differ, none repeat
         add_point_light(scene, {x, 1.4, z}, static_cast<float>(6.0 / static_cast<double>(n)) * hue(h, 0.85));
     }

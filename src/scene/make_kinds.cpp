@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace lightbench {
 
@@ -67,12 +66,8 @@ Camera& add_camera(Scene& scene, glm::dvec3 position, glm::dvec3 target, double 
     return scene.cameras.emplace_back(camera);
 }
 
-std::uint32_t add_transform(Scene& scene, glm::dvec3 translate, glm::dvec3 rotate, glm::dvec3 scale) {
-    glm::dmat4 m = glm::translate(glm::dmat4(1), translate);
-    m = glm::rotate(m, radians_of(rotate.z), glm::dvec3(0, 0, 1));
-    m = glm::rotate(m, radians_of(rotate.y), glm::dvec3(0, 1, 0));
-    m = glm::rotate(m, radians_of(rotate.x), glm::dvec3(1, 0, 0));
-    scene.transforms.push_back(glm::scale(m, scale));
+std::uint32_t add_transform(Scene& scene, const TransformParts& placement) {
+    scene.transforms.push_back(world_from_object(placement));
     return static_cast<std::uint32_t>(scene.transforms.size() - 1);
 }
 

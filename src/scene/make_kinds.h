@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/make.h"
+#include "scene/transform.h"
 
 #include <numbers>
 
@@ -20,7 +21,9 @@ Scene make_room(const MakeValues&);
 Scene make_lights(const MakeValues&);
 Scene make_mesh(const MakeValues&);
 
-constexpr double radians_of(double degrees) { return degrees * (std::numbers::pi / 180); }
+constexpr double radians_of(double degrees) {
+    return degrees * (std::numbers::pi / 180);
+}
 
 // Each returns the index of what it added, or the thing itself to be adjusted.
 std::uint32_t add_material(Scene& scene, Material material);
@@ -33,8 +36,7 @@ Light& add_point_light(Scene& scene, glm::dvec3 position, glm::vec3 intensity, A
 Light& add_directional_light(Scene& scene, glm::dvec3 direction, glm::vec3 intensity);
 Camera& add_camera(Scene& scene, glm::dvec3 position, glm::dvec3 target, double fov_degrees);
 
-// translate * rotateZ * rotateY * rotateX * scale, degrees.
-std::uint32_t add_transform(Scene& scene, glm::dvec3 translate, glm::dvec3 rotate, glm::dvec3 scale);
+std::uint32_t add_transform(Scene& scene, const TransformParts& placement);
 
 void add_face(Mesh& mesh, std::initializer_list<std::uint32_t> corners);
 

@@ -27,7 +27,8 @@ struct CubeGrid {
 
 // The radius along the unit vector d: a product of sines, smooth, without poles or seams.
 double radius_towards(const glm::dvec3& d, double bumps) {
-    return 1 + 0.06 * std::sin(bumps * d.x) * std::sin(bumps * d.y + 1) * std::sin(bumps * d.z + 2) + 0.03 * std::sin(2 * bumps * (d.x + d.y - d.z));
+    return 1 + 0.06 * std::sin(bumps * d.x) * std::sin(bumps * d.y + 1) * std::sin(bumps * d.z + 2) +
+           0.03 * std::sin(2 * bumps * (d.x + d.y - d.z));
 }
 
 void place(Mesh& mesh, const CubeGrid& grid, double bumps, std::uint32_t x, std::uint32_t y, std::uint32_t z) {
@@ -57,7 +58,8 @@ Scene make_mesh(const MakeValues& values) {
     mesh.face_starts.reserve(std::size_t{12} * k * k + 1);
     mesh.face_starts.push_back(0);
     for (std::uint32_t i = 0; i <= k; ++i)
-        for (std::uint32_t j = 0; j <= k; ++j) // a point on an edge of the cube belongs to two or three sides and gets the same place each time
+        for (std::uint32_t j = 0; j <= k;
+             ++j) // a point on an edge of the cube belongs to two or three sides and gets the same place each time
             for (const std::uint32_t side : {0u, k}) {
                 place(mesh, grid, values["bumps"], side, i, j);
                 place(mesh, grid, values["bumps"], i, side, j);

@@ -47,7 +47,7 @@ void add_shapes(Scene& scene) {
     add_object(scene, Cylinder{{-0.8, 0, -1.3}, {-0.8, 1.3, -1.3}, 0.45, true}, paint("cylinder", 0.09, 0.3f, 30));
     add_object(scene, Cone{{0.8, 0, -1.3}, {0.8, 1.5, -1.3}, 0.6, 0, true}, paint("cone", 0.16, 0.4f, 40));
     add_object(scene, Box{glm::dvec3(-0.5), glm::dvec3(0.5)}, paint("box", 0.33, 0.2f, 20)).transform =
-        add_transform(scene, {2.4, 0.5, -0.9}, {0, 35, 0}, glm::dvec3(1));
+        add_transform(scene, {{2.4, 0.5, -0.9}, {0, 35, 0}, glm::dvec3(1)});
     add_object(scene, Torus{{-1.5, 0.22, 0.7}, {0, 1, 0}, 0.55, 0.22}, paint("torus", 0.5, 0.7f, 100));
     add_mesh(scene, octahedron({0, 0.55, 0.4}, 0.55), paint("mesh", 0.62, 0.4f, 50));
     const std::uint32_t star_paint = paint("polygon", 0.86, 0.2f, 20);

@@ -50,7 +50,8 @@ Scene make_mirrors(const MakeValues& values) {
     for (std::size_t i = 0; i < posts; ++i) {
         const double z = -1.5 - static_cast<double>(i) * 1.5;
         if (z < 0.3 - length) break;
-        const auto paint = add_glossy(scene, "post-" + std::to_string(i), 0.8f * hue(static_cast<double>(i) / static_cast<double>(posts)), 0.3f, 40);
+        const auto paint =
+            add_glossy(scene, "post-" + std::to_string(i), 0.8f * hue(static_cast<double>(i) / static_cast<double>(posts)), 0.3f, 40);
         add_object(scene, Cylinder{{0, 0, z}, {0, 0.9, z}, 0.12, true}, paint);
         add_object(scene, Sphere{{0, 1.1, z}, 0.2}, paint);
         if (i % 2 == 0) add_point_light(scene, {0, 2.3, z + 0.6}, glm::vec3(1.1f, 1.0f, 0.85f));
@@ -65,7 +66,8 @@ Scene make_room(const MakeValues& values) {
     const auto reflectance = static_cast<float>(values["reflectance"]);
     scene.environment.ambient = glm::vec3(0.12f);
     add_camera(scene, {-1.2, 1.55, 2.3}, {0.25, 0.95, -1.2}, 65);
-    const auto white = add_diffuse(scene, "white", glm::vec3(reflectance)), warm = add_diffuse(scene, "warm", reflectance * glm::vec3(1, 0.55f, 0.35f)),
+    const auto white = add_diffuse(scene, "white", glm::vec3(reflectance)),
+               warm = add_diffuse(scene, "warm", reflectance * glm::vec3(1, 0.55f, 0.35f)),
                cool = add_diffuse(scene, "cool", reflectance * glm::vec3(0.4f, 0.65f, 1)),
                floor = add_diffuse(scene, "floor", reflectance * glm::vec3(0.7f, 0.6f, 0.5f));
     for (Material& material : scene.materials) material.two_sided = true;

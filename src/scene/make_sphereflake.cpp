@@ -36,7 +36,8 @@ glm::dvec3 turn_from_z(const glm::dvec3& d, const glm::dvec3& v) {
     return v + once + glm::cross(axis, once) / one_plus_cosine;
 }
 
-void add_ball(Scene& scene, const Directions& upright, const glm::dvec3& center, double radius, const glm::dvec3& growth, std::size_t depth) {
+void add_ball(Scene& scene, const Directions& upright, const glm::dvec3& center, double radius, const glm::dvec3& growth,
+              std::size_t depth) {
     add_object(scene, Sphere{center, radius}, 1);
     if (depth == 0) return;
     for (const glm::dvec3& child : upright) {

@@ -1,13 +1,13 @@
 // [[object]]: shape, material, transform; an imported file stands in for a shape.
 #include "scene/load_default.h"
 #include "scene/toml_parts.h"
+#include "scene/transform.h"
 
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <glm/gtc/constants.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace lightbench {
 namespace {
@@ -16,27 +16,6 @@ constexpr std::string_view kShapes[] = {"sphere", "polygon", "mesh", "cone", "bo
 constexpr Rule kDegrees{-1e9, 1e9, false, false,
                         "it must lie between -1e9 and 1e9 degrees (beyond that a double holds no fraction worth the name)"};
 constexpr Rule kCrease{0, 180, false, false, "it must lie between 0 and 180 degrees"};
-
-// Sine and cosine of degrees, exact at multiples of 90: cos(pi/2) in doubles is 6e-17, and a box turned by 90 degrees would lean.
-glm::dvec2 sine_cosine(double degrees) {
-    int quarter = 0;
-    const double rest = std::remquo(degrees, 90.0, &quarter) * (glm::pi<double>() / 180);
-    const double s = std::sin(rest), c = std::cos(rest);
-    switch (quarter & 3) {
-    case 0: return {s, c};
-    case 1: return {c, -s};
-    case 2: return {-s, -c};
-    default: return {-c, s};
-    }
-}
-
-// Turns by `degrees` from axis a towards axis b.
-glm::dmat4 rotation(int a, int b, double degrees) {
-    const glm::dvec2 sc = sine_cosine(degrees);
-    glm::dmat4 m(1);
-    m[a][a] = sc.y, m[b][b] = sc.y, m[a][b] = sc.x, m[b][a] = -sc.x;
-    return m;
-}
 
 // Below 1e-15 or above 1e15 the inverse leaves the range of coordinates; 0 would flatten the object.
 void check_scale(Section& s, const glm::dvec3& scale) {
@@ -62,14 +41,12 @@ glm::dvec3 read_scale(Section& s) {
     return scale;
 }
 
-// RULINGS: translate * rotateZ * rotateY * rotateX * scale, degrees.
 glm::dmat4 read_world_from_object(Section& s) {
-    glm::dvec3 move(0), turn(0);
-    read_vector(s, "translate", move, kCoordinate);
-    read_vector(s, "rotate", turn, kDegrees);
-    const glm::dvec3 scale = read_scale(s);
-    const glm::dmat4 turned = rotation(0, 1, turn.z) * rotation(2, 0, turn.y) * rotation(1, 2, turn.x);
-    return glm::translate(glm::dmat4(1), move) * turned * glm::scale(glm::dmat4(1), scale);
+    TransformParts placement;
+    read_vector(s, "translate", placement.translate, kCoordinate);
+    read_vector(s, "rotate", placement.rotate, kDegrees);
+    placement.scale = read_scale(s);
+    return world_from_object(placement);
 }
 
 std::uint32_t transform_index(Scene& scene, const glm::dmat4& world_from_object) {

@@ -5,14 +5,16 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace lightbench {
 
 // Empty: written, whole or not at all. Numbers are printed so that reading them gives the same value.
-// .toml  everything; meshes go into files of their own beside it (STEM-mesh-0.obj, or .ply when large)
-// .nff   spheres, polygons, open cones and cylinders, point lights without attenuation: for scenes too large for TOML
-// .obj .ply  the geometry of meshes and polygons alone
+// .toml  everything; each mesh goes into a file of its own beside it, STEM-NAME.obj, or .ply if it is large
+// .nff   spheres, polygons, open cones and cylinders, lights and materials as Haines knows them: for scenes too large for TOML
+// .obj .ply  shape alone: meshes and polygons as one mesh in world space; cameras, lights and materials have no place there
+// `comment` goes on top, line by line, where the format has comments.
 // Throws std::system_error if the file cannot be written (no such folder, disk full).
-Problems write_scene(const Scene& scene, const std::filesystem::path& file);
+Problems write_scene(const Scene& scene, const std::filesystem::path& file, std::string_view comment = {});
 
 } // namespace lightbench

@@ -86,7 +86,7 @@ TEST(PlanProof, OneDirectionalLightWithoutSpecularHasNoneOfTheOtherTerms) {
     EXPECT_EQ(c.extended.count(kInverseSqrt), 1u) << "the normal's alone: neither a light's direction nor the viewer's";
     EXPECT_FALSE(c.opcodes.contains(kOpSpecConstant));
     // One light: position, intensity. One material: diffuse.
-    EXPECT_EQ(c.opcodes.at(kOpImageFetch) + 0u, 3u);
+    EXPECT_EQ(c.opcodes.at(kOpImageFetch), 3u);
 }
 
 // The control: the same search finds the terms where the scene calls for them, so that finding nothing above means something.

@@ -29,15 +29,19 @@ TEST(MakeArguments, UnknownKind) {
 }
 
 TEST(MakeArguments, UnknownParameter) {
-    EXPECT_THAT(complaints("sphereflake", {{"deph", "3"}}), ElementsAre("make sphereflake: unknown parameter \"deph\"; did you mean \"depth\"?"));
+    EXPECT_THAT(complaints("sphereflake", {{"deph", "3"}}),
+                ElementsAre("make sphereflake: unknown parameter \"deph\"; did you mean \"depth\"?"));
     EXPECT_THAT(complaints("sphereflake", {{"color", "3"}}), ElementsAre(HasSubstr("there are depth")));
     EXPECT_THAT(complaints("primitives", {{"n", "3"}}), ElementsAre(HasSubstr("it takes none")));
 }
 
 TEST(MakeArguments, ValuesThatAreNoneOrOutOfRange) {
     for (const char* bad : {"-1", "1e9", "nan", "inf", "-inf", "2.5", "", "three", "3 ", " 3", "3x", "0x10", "1e999", "4194304"})
-        EXPECT_THAT(complaints("spheres", {{"n", bad}}), ElementsAre(AllOf(HasSubstr("parameter \"n\" is"), HasSubstr("whole number from 1 to 4194303")))) << bad;
-    EXPECT_THAT(complaints("sphereflake", {{"depth", "50"}}), ElementsAre(AllOf(HasSubstr("depth\" is 50"), HasSubstr("at most 4 194 304 objects"))));
+        EXPECT_THAT(complaints("spheres", {{"n", bad}}),
+                    ElementsAre(AllOf(HasSubstr("parameter \"n\" is"), HasSubstr("whole number from 1 to 4194303"))))
+            << bad;
+    EXPECT_THAT(complaints("sphereflake", {{"depth", "50"}}),
+                ElementsAre(AllOf(HasSubstr("depth\" is 50"), HasSubstr("at most 4 194 304 objects"))));
     EXPECT_THAT(complaints("sphereflake", {{"depth", "7"}}), testing::SizeIs(1));
     EXPECT_THAT(complaints("mesh", {{"triangles", "1e12"}}), ElementsAre(HasSubstr("1 GiB")));
     EXPECT_THAT(complaints("corrugated", {{"slope", "90"}}), ElementsAre(HasSubstr("a number from 1 to 80")));

@@ -1,6 +1,6 @@
 // Procedural scenes against closed forms: counts, tangency, published coordinates, the geometry that makes each failure of shading happen.
-#include "scene/make.h"
 #include "scene/limits.h"
+#include "scene/make.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,9 @@ template <typename S> std::vector<S> shapes(const Scene& scene) {
     return found;
 }
 
-std::array<double, 4> numbers(const Sphere& s) { return {s.center.x, s.center.y, s.center.z, s.radius}; }
+std::array<double, 4> numbers(const Sphere& s) {
+    return {s.center.x, s.center.y, s.center.z, s.radius};
+}
 
 glm::dvec3 newell(const std::vector<glm::dvec3>& p) {
     glm::dvec3 sum(0);
@@ -161,22 +163,17 @@ bool prints_as(const Sphere& ours, const std::array<double, 4>& his) {
 // Every six-hundredth ball of Haines' file balls_4.nff (SPD, CC0).
 TEST(Make, SphereflakeHoldsSomeOfHainesBalls) {
     const std::vector<std::array<double, 4>> his = {
-        {0.45787, 0.475329, 0.577669, 0.00617284},
-        {0.31322, 0.188347, 0.771198, 0.00617284},
-        {0.671225, 0.356956, 0.0987654, 0.00617284},
-        {0.359921, 0.517056, -0.0987654, 0.00617284},
-        {0.372813, 0.60307, 0.187336, 0.00617284},
-        {-0.551799, -0.0449178, 0.438769, 0.00617284},
-        {-0.640408, 0.498776, -0.15987, 0.0185185},
-        {-0.5724, -0.153374, 0.197531, 0.00617284},
-        {-0.609969, -0.394768, -0.178389, 0.00617284},
-        {-0.140792, -0.380859, 0.599887, 0.00617284},
-        {-0.095832, -0.700504, 0.222222, 0.00617284},
-        {0.703286, -0.447429, 0.0462858, 0.00617284},
+        {0.45787, 0.475329, 0.577669, 0.00617284},     {0.31322, 0.188347, 0.771198, 0.00617284},
+        {0.671225, 0.356956, 0.0987654, 0.00617284},   {0.359921, 0.517056, -0.0987654, 0.00617284},
+        {0.372813, 0.60307, 0.187336, 0.00617284},     {-0.551799, -0.0449178, 0.438769, 0.00617284},
+        {-0.640408, 0.498776, -0.15987, 0.0185185},    {-0.5724, -0.153374, 0.197531, 0.00617284},
+        {-0.609969, -0.394768, -0.178389, 0.00617284}, {-0.140792, -0.380859, 0.599887, 0.00617284},
+        {-0.095832, -0.700504, 0.222222, 0.00617284},  {0.703286, -0.447429, 0.0462858, 0.00617284},
         {0.273047, -0.652302, -0.125608, 0.00617284}};
     const auto ours = shapes<Sphere>(made("sphereflake"));
     for (const auto& ball : his)
-        EXPECT_EQ(std::count_if(ours.begin(), ours.end(), [&](const Sphere& s) { return prints_as(s, ball); }), 1) << ball[0] << " " << ball[1];
+        EXPECT_EQ(std::count_if(ours.begin(), ours.end(), [&](const Sphere& s) { return prints_as(s, ball); }), 1)
+            << ball[0] << " " << ball[1];
 }
 
 // The whole file, where it is at hand: the same balls, each exactly once, in any order.
@@ -186,7 +183,9 @@ TEST(Make, SphereflakeEqualsHainesBalls) {
     if (!file) GTEST_SKIP() << "LIGHTBENCH_SPD does not name a folder with balls_4.nff";
     // Cells of 1e-4, so that each of his is looked for in 27 cells and not in 7 381 balls.
     std::multimap<std::array<long, 3>, Sphere> cells;
-    const auto cell = [](double x, double y, double z) { return std::array{std::lround(x * 1e4), std::lround(y * 1e4), std::lround(z * 1e4)}; };
+    const auto cell = [](double x, double y, double z) {
+        return std::array{std::lround(x * 1e4), std::lround(y * 1e4), std::lround(z * 1e4)};
+    };
     for (const Sphere& s : shapes<Sphere>(made("sphereflake"))) cells.emplace(cell(s.center.x, s.center.y, s.center.z), s);
     std::size_t count = 0;
     for (std::string line; std::getline(file, line);) {
@@ -248,7 +247,9 @@ TEST(Make, CornellBoxIsThePublishedOne) {
 // Walls and lamp face into the box, the sides of a block away from its middle.
 TEST(Make, CornellBoxFacesItsInside) {
     const auto polygons = shapes<Polygon>(made("cornell-box"));
-    const auto faces = [&](std::size_t i, const glm::dvec3& p) { return glm::dot(newell(polygons.at(i).points), p - polygons[i].points[0]) > 0; };
+    const auto faces = [&](std::size_t i, const glm::dvec3& p) {
+        return glm::dot(newell(polygons.at(i).points), p - polygons[i].points[0]) > 0;
+    };
     for (std::size_t i = 0; i < 6; ++i) EXPECT_TRUE(faces(i, {278, 400, 280})) << "wall " << i;
     for (std::size_t i = 6; i < 11; ++i) EXPECT_FALSE(faces(i, {185, 80, 169})) << "short block, side " << i;
     for (std::size_t i = 11; i < 16; ++i) EXPECT_FALSE(faces(i, {368, 160, 351})) << "tall block, side " << i;
@@ -337,7 +338,8 @@ TEST(Make, SpheresStandApart) {
     for (std::size_t i = 0; i < balls.size(); ++i)
         for (std::size_t k = 0; k < i; ++k) ASSERT_GT(glm::distance(balls[i].center, balls[k].center), balls[i].radius + balls[k].radius);
     EXPECT_NEAR(balls[1].center.x - balls[0].center.x, 2.0 / 6, 1e-12);
-    EXPECT_EQ(shapes<Sphere>(made("spheres", {{"n", "125"}})).at(1).center.x, shapes<Sphere>(made("spheres", {{"n", "101"}})).at(1).center.x);
+    EXPECT_EQ(shapes<Sphere>(made("spheres", {{"n", "125"}})).at(1).center.x,
+              shapes<Sphere>(made("spheres", {{"n", "101"}})).at(1).center.x);
 }
 
 TEST(Make, LightsAreAsManyAsAskedAndAsBrightInAll) {
