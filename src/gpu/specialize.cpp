@@ -11,27 +11,30 @@
 namespace lightbench::gpu {
 namespace {
 
-// Calls are inlined and loads forwarded, so that constants reach the branches; conditional constant propagation then folds what is
-// constant (and never rearranges floating point, as the general simplification does), and branches that cannot be taken go.
-void register_round(spvtools::Optimizer& optimizer) {
-    optimizer.RegisterPass(spvtools::CreateInlineExhaustivePass())
-        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
-        .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
-        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
-        .RegisterPass(spvtools::CreateLocalMultiStoreElimPass())
-        .RegisterPass(spvtools::CreateCCPPass())
+// Conditional constant propagation folds what is constant (never a floating-point rearrangement, as the general simplification does);
+// the branches that it decides go.
+void register_branch_folding(spvtools::Optimizer& optimizer) {
+    optimizer.RegisterPass(spvtools::CreateCCPPass())
         .RegisterPass(spvtools::CreateDeadBranchElimPass())
         .RegisterPass(spvtools::CreateCFGCleanupPass())
         .RegisterPass(spvtools::CreateBlockMergePass());
 }
 
-// Two rounds: a function that returns early cannot be inlined until the first has removed the returns that cannot be reached. (Merging
-// returns instead leaves constructs that Mesa turns into loops, and loops are budgeted there.)
+// Freezing makes plain constants. Branches are folded before inlining, since a function that returns early cannot be inlined and most
+// early returns depend on constants; the others are merged. Then structs fall into their members, so that a member that nobody reads
+// takes what computes it along, and values reach the branches that arguments had hidden.
 void register_folding(spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
         .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
-    register_round(optimizer);
-    register_round(optimizer);
+    register_branch_folding(optimizer);
+    optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
+        .RegisterPass(spvtools::CreateInlineExhaustivePass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
+        .RegisterPass(spvtools::CreateScalarReplacementPass())
+        .RegisterPass(spvtools::CreateLocalSingleBlockLoadStoreElimPass())
+        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+        .RegisterPass(spvtools::CreateLocalMultiStoreElimPass());
+    register_branch_folding(optimizer);
 }
 
 // Without the interface pass a binding that nobody reads would stay: SPIR-V 1.4 and later list all variables at the entry point.
