@@ -49,13 +49,6 @@ std::uint64_t read_census(gpu::Device& device, Display& d) {
     return census.non_finite;
 }
 
-std::uint64_t count_non_finite(const ImageF& image) {
-    std::uint64_t count = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4)
-        count += !(std::isfinite(image.rgba[i]) && std::isfinite(image.rgba[i + 1]) && std::isfinite(image.rgba[i + 2]));
-    return count;
-}
-
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", PCG2D: two well mixed words from a counter and a seed.
 glm::dvec2 jitter(std::uint32_t seed, std::uint32_t frame) {
     std::uint32_t x = frame * 1664525u + 1013904223u, y = seed * 1664525u + 1013904223u;

@@ -23,7 +23,6 @@ void record_accumulate(gpu::Recorder& recorder, Display& display, gpu::Image& fr
 
 Image8 read_pixels(gpu::Device& device, Display& display, const Rect& crop);
 std::uint64_t read_census(gpu::Device& device, Display& display); // CHECKs that no pixel was missed
-std::uint64_t count_non_finite(const ImageF& image);              // pixels
 
 // Counter-based jitter within a cell, [0, 1)^2: the same for a seed and a frame whatever else is drawn.
 glm::dvec2 jitter(std::uint32_t seed, std::uint32_t frame);

@@ -2,6 +2,7 @@
 #include "render/render.h"
 
 #include "gpu/recorder.h"
+#include "image/display.h"
 #include "render/display.h"
 #include "render/raster.h"
 #include "render/terms.h"

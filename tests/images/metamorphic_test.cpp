@@ -122,7 +122,9 @@ TEST(Metamorphic, TheLightTermsAddUpToTheImage) {
                     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += layer.image.rgba[i];
             ASSERT_GE(r.output.layers.size(), 7u);
             for (std::size_t i = 0; i < sum.size(); ++i)
-                if (i % 4 != 3) ASSERT_NEAR(sum[i], r.output.radiance->rgba[i], 2e-6f * (1 + std::abs(sum[i])));
+                if (i % 4 != 3) {
+                    ASSERT_NEAR(sum[i], r.output.radiance->rgba[i], 2e-6f * (1 + std::abs(sum[i])));
+                }
         }
 }
 
