@@ -1,3 +1,4 @@
+// Matrices and curves, each with its source.
 #include "image/color_spaces.h"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// Brings two pictures into one space, measures, and colours the difference.
 #include "image/compare.h"
 #include "image/display.h"
 
@@ -19,8 +20,7 @@ void mark_non_finite(FlipMap& map, const Picture& picture) {
     const auto* linear = std::get_if<ImageF>(&picture);
     if (!linear) return;
     for (std::size_t i = 0; i < map.error.size(); ++i) {
-        const float* p = &linear->rgba[i * 4];
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) map.error[i] = 1.0f;
+        if (!finite_color(&linear->rgba[i * 4])) map.error[i] = 1.0f;
     }
 }
 

@@ -1,3 +1,4 @@
+// The curve, the clamp and the rounding of display.h, pixel by pixel.
 #include "image/display.h"
 
 #include <cmath>
@@ -37,12 +38,13 @@ Image8 display(const ImageF& radiance, float exposure) {
     return picture;
 }
 
+bool finite_color(const float* rgba) {
+    return std::isfinite(rgba[0]) && std::isfinite(rgba[1]) && std::isfinite(rgba[2]);
+}
+
 std::size_t count_non_finite(const ImageF& image) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        const float* p = &image.rgba[i];
-        if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) ++count;
-    }
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) count += !finite_color(&image.rgba[i]);
     return count;
 }
 

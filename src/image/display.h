@@ -15,6 +15,8 @@ float linear_from_srgb(float encoded);
 // nearest of 256 steps. Alpha is clamped and rounded, never encoded.
 Image8 display(const ImageF& radiance, float exposure = 0.0f);
 
+bool finite_color(const float* rgba); // red, green and blue are neither NaN nor infinite
+
 // Pixels with a NaN or an infinity in red, green or blue.
 std::size_t count_non_finite(const ImageF& image);
 

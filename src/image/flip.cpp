@@ -1,5 +1,5 @@
 // The steps of the paper: what the eye resolves of colour (4.1), how different that is (4.1), where edges and points differ (4.2), and
-// both together (4.3). All equation numbers are the paper's sections; filters are separable and evaluated so.
+// both together (4.3). Numbers are the paper's sections; its filters are separable and evaluated so.
 #include "image/flip.h"
 #include "image/color_spaces.h"
 #include "image/display.h"
@@ -84,12 +84,16 @@ Planes resolved_by_eye(const Planes& in, double ppd) {
     return out;
 }
 
-// 4.1.2: L*a*b* of what is left inside the screen's gamut, chroma scaled by lightness after Hunt (colours fade in the dark).
+// 4.1.2: L*a*b*, its chroma scaled by lightness after Hunt (colours fade in the dark).
+Triple perceived(const Triple& linear) {
+    Triple lab = color::lab_from_xyz(color::xyz_from_linear(linear));
+    return {lab.x, 0.01f * lab.x * lab.y, 0.01f * lab.x * lab.z};
+}
+
+// The same of a filtered pixel, as far as it lies in the screen's gamut.
 Triple perceived(const Planes& planes, std::size_t i) {
     Triple rgb = color::linear_from_xyz(color::xyz_from_ycxcz({planes[0].values[i], planes[1].values[i], planes[2].values[i]}));
-    for (float* c : {&rgb.x, &rgb.y, &rgb.z}) *c = std::clamp(*c, 0.0f, 1.0f);
-    Triple lab = color::lab_from_xyz(color::xyz_from_linear(rgb));
-    return {lab.x, 0.01f * lab.x * lab.y, 0.01f * lab.x * lab.z};
+    return perceived({std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)});
 }
 
 // Abasi, Tehran and Fairchild 2019, "Distance metrics for very large color differences" (HyAB), to the power q_c.
@@ -99,11 +103,7 @@ float color_distance(const Triple& a, const Triple& b) {
 
 // 4.1.3: the largest difference on a screen is between pure green and pure blue.
 float largest_color_distance() {
-    auto seen = [](const Triple& rgb) {
-        Triple lab = color::lab_from_xyz(color::xyz_from_linear(rgb));
-        return Triple{lab.x, 0.01f * lab.x * lab.y, 0.01f * lab.x * lab.z};
-    };
-    return color_distance(seen({0, 1, 0}), seen({0, 0, 1}));
+    return color_distance(perceived({0, 1, 0}), perceived({0, 0, 1}));
 }
 
 float redistributed(float distance, float largest) {

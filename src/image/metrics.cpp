@@ -1,4 +1,6 @@
+// One loop over the pixels for both kinds of picture; sums in double.
 #include "image/metrics.h"
+#include "image/display.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +12,7 @@ namespace lightbench {
 namespace {
 
 bool finite(const float* p) {
-    return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+    return finite_color(p);
 }
 bool finite(const std::uint8_t*) {
     return true;

@@ -1,3 +1,4 @@
+// Filters as sums of shifted rows: every inner loop runs over contiguous memory.
 #include "image/plane.h"
 
 #include <algorithm>

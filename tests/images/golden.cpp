@@ -1,3 +1,4 @@
+// Finds the golden that a picture is held against, judges, and keeps what failed; all that cannot be read is a failed verdict.
 #include "images/golden.h"
 #include "image/compare.h"
 
