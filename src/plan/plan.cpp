@@ -147,6 +147,8 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
     plan.lights = facts.lights;
     plan.fallbacks = std::move(notes);
     note_geometry(facts, plan);
+    if (request.output == Output::radiance && request.exposure != 0)
+        plan.fallbacks.push_back({"exposure", "not applied: a file of linear radiance has none"});
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
     decide_samples(request, plan);

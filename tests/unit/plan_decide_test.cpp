@@ -46,6 +46,14 @@ TEST(PlanDecide, DisplayOnlyForPixels) {
     EXPECT_TRUE(plan.has("radiance"));
 }
 
+TEST(PlanDecide, ExposureOfRadianceIsSaidToBeLeftOut) {
+    Request request = with(Shading::phong, Output::radiance);
+    EXPECT_EQ(reason_of(plan_of(lit_sphere(), request).fallbacks, "exposure"), "(none)");
+    request.exposure = 1;
+    EXPECT_EQ(reason_of(plan_of(lit_sphere(), request).fallbacks, "exposure"), "not applied: a file of linear radiance has none");
+    EXPECT_EQ(reason_of(plan_of(lit_sphere(), with(Shading::phong)).fallbacks, "exposure"), "(none)");
+}
+
 TEST(PlanDecide, WithoutLightNoLightsAreRead) {
     Scene scene = bare_sphere();
     scene.environment.ambient = glm::vec3(1);

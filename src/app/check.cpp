@@ -1,0 +1,50 @@
+// lightbench check FILE...: reads scene files and prints every problem. Exit code 1 if there is one: the files failed the check.
+#include "app/commands.h"
+
+#include "plan/complete.h"
+#include "scene/load.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+
+namespace lightbench {
+namespace {
+
+struct CheckArguments {
+    std::vector<std::string> files;
+    bool allow_outside = false;
+};
+
+// Those of the file, and those that would keep it from being rendered as it is (a camera without direction).
+Problems problems_of(const std::string& file, const LoadOptions& options) {
+    Loaded loaded = load_scene(file, options);
+    return loaded.scene ? complete(*loaded.scene, {}).problems : loaded.problems;
+}
+
+bool check_file(const std::string& file, const LoadOptions& options) {
+    const Problems problems = problems_of(file, options);
+    for (const Problem& problem : problems) fmt::print("{}\n", to_string(problem));
+    fmt::print("{} problem{} in {}\n", problems.size(), problems.size() == 1 ? "" : "s", file);
+    return problems.empty();
+}
+
+bool check(const CheckArguments& arguments) {
+    LoadOptions options;
+    options.allow_outside = arguments.allow_outside;
+    bool good = true;
+    for (const std::string& file : arguments.files) good = check_file(file, options) && good;
+    return good;
+}
+
+} // namespace
+
+void add_check(CLI::App& app, int& exit_code) {
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* sub = app.add_subcommand("check", "reads scene files and prints every problem, file:line: what is wrong");
+    sub->add_option("FILE", arguments->files, "scene files")->required();
+    sub->add_flag("--allow-outside", arguments->allow_outside, "scenes may name files outside of their folders");
+    sub->callback([arguments, &exit_code] { exit_code = check(*arguments) ? 0 : 1; });
+}
+
+} // namespace lightbench

@@ -1,0 +1,165 @@
+#include "app/options.h"
+
+#include "app/numbers.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+// One option of the command line. `belongs` names what it is for, where this version lacks that; then its value is not looked at.
+struct OptionRow {
+    const char* flag;
+    const char* value; // how the help calls it; null: a switch
+    const char* help;
+    const char* belongs = nullptr;
+};
+
+constexpr OptionRow kOptions[] = {
+    {"--method", "raster", "how light is computed: raster (raytrace, radiosity: not in this version)"},
+    {"--shading", "MODE", "where the model is evaluated: flat, gouraud, phong (default)"},
+    {"--subdivide", "N", "refinement levels of every surface, 0 to 8"},
+    {"--size", "WxH", "pixels; default the scene's [film], else 1280x720"},
+    {"--crop", "X,Y,W,H", "render this part of the image only"},
+    {"--camera", "NAME", "one of the scene's cameras; default the first"},
+    {"--frame", "N", "turntable: the camera turned by 3 N degrees about the target"},
+    {"--frames", "A:B", "frames A to B, both included; -o with %04d"},
+    {"--sampling", "PATTERN", "of the samples of a pixel: none, uniform, jittered"},
+    {"--spp", "N", "samples a pixel, a square; 1 and 4 are multisampling unless a pattern is named"},
+    {"--seed", "N", "of everything random; default 0"},
+    {"--exposure", "STOPS", "the picture is multiplied by 2^STOPS before it is displayed"},
+    {"--filter", "box", "reconstruction: box, one pixel wide"},
+    {"--precision", "float32", "float32"},
+    {"--terms", nullptr, "with an .exr: one layer for each term of the model, and normal, depth, object"},
+    {"--stats", "FILE", "JSON about the run; - for standard output"},
+    {"--count", nullptr, "fill rays and tests of --stats"},
+    {"--progress", "WHEN", "auto, always, never"},
+    {"--quiet", nullptr, "no messages but errors"},
+    {"--device", "D", "Vulkan device: part of its name, or its index; also LIGHTBENCH_DEVICE"},
+    {"--allow-outside", nullptr, "the scene may name files outside of its folder"},
+    {"--filter-width", "R", "", "--filter gaussian"},
+    {"--contrast", "R,G,B", "", "--sampling adaptive"},
+    {"--max-level", "N", "", "--sampling adaptive"},
+    {"--depth", "N", "", "--method raytrace"},
+    {"--cutoff", "X", "", "--method raytrace"},
+    {"--opaque-shadows", nullptr, "", "--method raytrace"},
+    {"--accel", "NAME", "", "--method raytrace"},
+    {"--accel-param", "k=v", "", "--method raytrace"},
+    {"--hemicube", "N", "", "--method radiosity"},
+    {"--patch", "SIZE", "", "--method radiosity"},
+    {"--solver", "NAME", "", "--method radiosity"},
+    {"--shots", "N", "", "--method radiosity"},
+    {"--until", "X", "", "--method radiosity"},
+    {"--no-ambient", nullptr, "", "--method radiosity"},
+};
+
+struct Parser {
+    const Given& given;
+    Problems& problems;
+
+    void problem(const char* flag, std::string text) { problems.push_back({flag, 0, 0, std::move(text)}); }
+    bool has(const char* flag) const { return given.contains(flag); }
+    std::string text(const char* flag) const { return has(flag) ? given.find(flag)->second : ""; }
+
+    // Calls take(value) if the option was given and `parse` understands it; else says what it must be.
+    template <class Parse, class Take> void value(const char* flag, Parse parse, const char* must_be, Take take) {
+        if (!has(flag)) return;
+        if (const auto parsed = parse(text(flag))) return take(*parsed);
+        problem(flag, fmt::format("\"{}\" must be {}", text(flag), must_be));
+    }
+
+    // The index of the given name among `here`; names of `later` are known, but not in this version.
+    std::optional<std::size_t> choice(const char* flag, const std::vector<std::string>& here, const std::vector<std::string>& later) {
+        if (!has(flag)) return std::nullopt;
+        const std::string name = text(flag);
+        if (const auto at = std::find(here.begin(), here.end(), name); at != here.end()) return static_cast<std::size_t>(at - here.begin());
+        if (std::find(later.begin(), later.end(), name) != later.end())
+            problem(flag, fmt::format("{} is not in this version; here it must be {}", name, alternatives(here)));
+        else
+            problem(flag, fmt::format("\"{}\" is unknown; it must be {}", name, alternatives(here)));
+        return std::nullopt;
+    }
+};
+
+void refuse_later(Parser& p) {
+    for (const OptionRow& row : kOptions)
+        if (row.belongs && p.has(row.flag)) p.problem(row.flag, fmt::format("belongs to {}, which is not in this version", row.belongs));
+}
+
+void parse_choices(Parser& p, SceneOptions& o) {
+    p.choice("--method", {"raster"}, {"raytrace", "radiosity"});
+    p.choice("--filter", {"box"}, {"gaussian"});
+    p.choice("--precision", {"float32"}, {"float64"});
+    if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"}, {})) o.request.shading = static_cast<Shading>(*i);
+    if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered"}, {"adaptive"}))
+        o.request.sampling = static_cast<Sampling>(*i);
+    if (const auto i = p.choice("--progress", {"auto", "always", "never"}, {})) o.progress = static_cast<Progress>(*i);
+}
+
+void parse_image(Parser& p, Request& r) {
+    p.value("--size", parse_size, "WIDTHxHEIGHT in pixels, like 1280x720", [&](glm::uvec2 size) { r.size = size; });
+    p.value("--crop", parse_rect, "X,Y,W,H in pixels, like 0,0,64,64", [&](const Rect& rect) { r.crop = rect; });
+    p.value("--subdivide", parse_unsigned<8>, "a whole number from 0 to 8", [&](std::uint32_t n) { r.subdivide = n; });
+    p.value("--seed", parse_unsigned<0xffffffffu>, "a whole number from 0 to 4294967295", [&](std::uint32_t n) { r.seed = n; });
+    // 2^127 is the largest power of two that a float holds.
+    p.value("--exposure", parse_number<-127, 127>, "a number of stops from -127 to 127",
+            [&](double x) { r.exposure = static_cast<float>(x); });
+    r.camera = p.text("--camera");
+    r.terms = p.has("--terms");
+}
+
+void parse_samples(Parser& p, Request& r) {
+    p.value("--spp", parse_square<1024>, "a square from 1 to 1024 (1, 4, 9, 16, ...)", [&](std::uint32_t n) { r.spp = n; });
+    if (p.text("--sampling") == "none" && r.spp > 1)
+        p.problem("--sampling", fmt::format("none takes one sample a pixel, but --spp is {}; it must be uniform or jittered", r.spp));
+}
+
+void parse_frames(Parser& p, SceneOptions& o) {
+    p.value("--frame", parse_integer, "a whole number", [&](int n) { o.request.frame = n; });
+    p.value("--frames", parse_range, "A:B, whole numbers with A <= B and at most 100000 frames",
+            [&](const FrameRange& range) { o.frames = range; });
+    if (p.has("--frame") && p.has("--frames")) p.problem("--frame", "one frame or --frames, not both");
+}
+
+} // namespace
+
+std::string alternatives(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + names[i];
+    return text;
+}
+
+void declare_scene_options(CLI::App& sub, Given& given) {
+    sub.add_option_function<std::string>(
+           "SCENE", [&given](const std::string& text) { given["SCENE"] = text; }, "scene file")
+        ->required();
+    for (const OptionRow& row : kOptions) {
+        const std::string help = row.belongs ? fmt::format("not in this version ({})", row.belongs) : row.help;
+        const std::string flag = row.flag;
+        if (row.value == nullptr)
+            sub.add_flag_callback(
+                flag, [&given, flag] { given[flag] = ""; }, help);
+        else
+            sub.add_option_function<std::string>(
+                   flag, [&given, flag](const std::string& text) { given[flag] = text; }, help)
+                ->type_name(row.value);
+    }
+}
+
+SceneOptions parse_scene_options(const Given& given, Problems& problems) {
+    SceneOptions options;
+    Parser parser{given, problems};
+    options.scene = parser.text("SCENE");
+    parse_choices(parser, options);
+    refuse_later(parser);
+    parse_image(parser, options.request);
+    parse_samples(parser, options.request);
+    parse_frames(parser, options);
+    options.device = parser.text("--device"), options.stats = parser.text("--stats");
+    options.count = parser.has("--count"), options.quiet = parser.has("--quiet"), options.allow_outside = parser.has("--allow-outside");
+    return options;
+}
+
+} // namespace lightbench

@@ -1,0 +1,135 @@
+// lightbench render SCENE -o FILE: one image, or the frames of a turntable, each decided, tessellated and rendered on its own, so that
+// frame N is the same bytes alone and in a sequence.
+#include "app/commands.h"
+#include "app/errors.h"
+#include "app/messages.h"
+#include "app/options.h"
+#include "app/pictures.h"
+#include "app/prepare.h"
+#include "app/stats.h"
+#include "app/validation.h"
+#include "image/file_bytes.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <memory>
+
+namespace lightbench {
+namespace {
+
+struct RenderArguments {
+    Given given;
+    std::string output;
+};
+
+// All problems of the command line together.
+SceneOptions check_arguments(const RenderArguments& arguments) {
+    Problems problems;
+    SceneOptions options = parse_scene_options(arguments.given, problems);
+    const bool several = options.frames.has_value();
+    check_output(arguments.output, several, problems);
+    options.request.output = output_of(arguments.output).value_or(Output::pixels);
+    if (options.request.terms && options.request.output != Output::radiance)
+        problems.push_back({"--terms", 0, 0, fmt::format("layers need an .exr; -o names {}", arguments.output)});
+    if (several && !options.stats.empty() && options.stats != "-" && frame_path(options.stats, 0) == options.stats)
+        problems.push_back({"--stats", 0, 0, fmt::format("\"{}\" must hold %04d, or be -, if there are several frames", options.stats)});
+    if (!problems.empty()) throw UserError(std::move(problems));
+    return options;
+}
+
+void write_output(const std::string& path, const RenderOutput& output) {
+    if (output.pixels) return write_pixels(path, *output.pixels);
+    std::vector<NamedImage> layers;
+    for (const Layer& layer : output.layers) layers.push_back({layer.name, &layer.image});
+    write_radiance(path, output.radiance.value(), layers);
+}
+
+void write_stats(const std::string& path, const std::string& json) {
+    if (path.empty()) return;
+    if (path == "-")
+        fmt::print("{}", json);
+    else
+        write_file(path, json);
+}
+
+struct Run {
+    const SceneOptions& options;
+    const std::string& output;
+    Messages messages;
+    Stopwatch wall;
+    double load_ms = 0;
+    std::optional<gpu::Device> device; // opened when the first frame is ready: a wrong camera is no reason to wait for a driver
+};
+
+gpu::Device& device_of(Run& run) {
+    if (run.device) return *run.device;
+    run.messages.step("opening the device");
+    run.device.emplace(gpu::Device::open({run.options.device}));
+    run.messages.step("rendering on " + run.device->info().name);
+    return *run.device;
+}
+
+void report(const Run& run, const std::string& path, const RenderOutput& output, const Plan& plan) {
+    if (output.non_finite > 0) run.messages.say(fmt::format("warning: {} pixels of {} are not finite", output.non_finite, path));
+    run.messages.say(
+        fmt::format("{}: {}x{}, {:.1f} ms on the device", path, plan.crop.size.x, plan.crop.size.y, output.device_milliseconds));
+}
+
+// One image: `frame` of the turntable, or the scene as it is.
+void render_frame(Run& run, Scene& scene, std::optional<int> frame, bool first) {
+    Request request = run.options.request;
+    if (frame) request.frame = frame;
+    const Prepared prepared = prepare(scene, request);
+    if (first) run.messages.fallbacks(prepared.plan);
+    gpu::Device& device = device_of(run);
+    const double pipelines_before = device.pipeline_milliseconds();
+    Renderer renderer(device, scene, prepared.geometry, prepared.plan);
+    const RenderOutput output = renderer.render(prepared.view);
+    const std::string path = frame ? frame_path(run.output, *frame) : run.output;
+    write_output(path, output);
+    const RunRecord record{run.options.scene.string(), request.frame,
+                           run.options.count,          run.load_ms,
+                           run.wall.milliseconds(),    device.pipeline_milliseconds() - pipelines_before,
+                           device.memory_peak()};
+    write_stats(frame ? frame_path(run.options.stats, *frame) : run.options.stats,
+                stats_json(record, prepared.plan, device.info(), output));
+    report(run, path, output, prepared.plan);
+}
+
+// Completing a scene adds a camera and a headlight to it, which belong to one frame: each starts from the scene as it was read.
+void render_frames(Run& run, Scene& scene) {
+    const auto cameras = scene.cameras;
+    const auto lights = scene.lights;
+    const FrameRange range = *run.options.frames;
+    const int count = range.last - range.first + 1;
+    for (int i = 0; i < count; ++i) {
+        run.messages.step(fmt::format("frame {} of {} to {}", range.first + i, range.first, range.last));
+        scene.cameras = cameras, scene.lights = lights;
+        render_frame(run, scene, range.first + i, i == 0);
+    }
+}
+
+void render(const RenderArguments& arguments) {
+    const SceneOptions options = check_arguments(arguments);
+    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, {}};
+    run.messages.step("reading " + options.scene.string());
+    const Stopwatch load;
+    Scene scene = load_or_throw(options.scene, options.allow_outside);
+    run.load_ms = load.milliseconds();
+    options.frames ? render_frames(run, scene) : render_frame(run, scene, std::nullopt, true);
+    close_and_check(std::move(*run.device));
+}
+
+} // namespace
+
+void add_render(CLI::App& app, int&) {
+    auto arguments = std::make_shared<RenderArguments>();
+    CLI::App* sub = app.add_subcommand("render", "one image of a scene: .png (display-referred) or .exr (linear radiance)");
+    declare_scene_options(*sub, arguments->given);
+    sub->add_option("-o,--output", arguments->output, "the picture: .png or .exr; with --frames its name holds %04d")
+        ->required()
+        ->type_name("FILE");
+    sub->callback([arguments] { render(*arguments); });
+}
+
+} // namespace lightbench

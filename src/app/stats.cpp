@@ -1,0 +1,64 @@
+#include "app/stats.h"
+
+#include "plan/explain.h"
+
+#include <nlohmann/json.hpp>
+#include <sys/resource.h>
+
+namespace lightbench {
+namespace {
+
+using nlohmann::ordered_json;
+
+// Largest resident set of this process. Linux counts it in KiB (getrusage(2)).
+std::uint64_t host_peak() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+ordered_json plan_json(const Plan& plan) {
+    ordered_json json = {{"effects", effect_names(plan.effects)}, {"passes", ordered_json::array()}, {"skipped", ordered_json::array()}};
+    for (const Pass& pass : plan.passes) json["passes"].push_back(pass.name);
+    for (const Line& line : plan.skipped) json["skipped"].push_back({{"effect", line.name}, {"reason", line.reason}});
+    return json;
+}
+
+ordered_json time_json(const RunRecord& run, const RenderOutput& output) {
+    ordered_json passes = ordered_json::array();
+    for (const StepTime& step : output.times) passes.push_back({{"name", step.name}, {"device", step.milliseconds}});
+    return {{"load", run.load}, {"accel_build", nullptr}, {"pipelines", run.pipelines}, {"device", output.device_milliseconds},
+            {"wall", run.wall}, {"passes", passes}};
+}
+
+// The rasteriser casts no ray and tests no primitive: counted, that is 0 of each.
+ordered_json zeros(bool counting, std::initializer_list<const char*> names) {
+    if (!counting) return nullptr;
+    ordered_json json = ordered_json::object();
+    for (const char* name : names) json[name] = 0;
+    return json;
+}
+
+} // namespace
+
+std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::DeviceInfo& device, const RenderOutput& output) {
+    ordered_json json = {{"scene", run.scene},
+                         {"method", name_of(plan.method)},
+                         {"shading", name_of(plan.shading)},
+                         {"width", plan.crop.size.x},
+                         {"height", plan.crop.size.y},
+                         {"frame", run.frame ? ordered_json(*run.frame) : ordered_json(nullptr)},
+                         {"device", {{"name", device.name}, {"driver", device.driver}, {"version", device.version}}},
+                         {"plan", plan_json(plan)},
+                         {"time", time_json(run, output)},
+                         {"counting", run.counting}};
+    json["rays"] = zeros(run.counting, {"eye", "eye_hit", "shadow", "reflected", "refracted"});
+    json["tests"] = zeros(run.counting, {"sphere", "polygon", "triangle", "box", "cone", "cylinder", "torus", "node", "voxel"});
+    json["radiosity"] = nullptr;
+    json["triangles"] = {{"scene", plan.triangles.value_or(0)}, {"drawn", output.triangles_drawn}};
+    json["memory"] = {{"device_peak", run.device_peak}, {"host_peak", host_peak()}};
+    json["image"] = {{"non_finite", output.non_finite}};
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lightbench

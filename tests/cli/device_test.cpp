@@ -1,0 +1,58 @@
+// devices and gallery.
+#include "program.h"
+
+#include "image/files.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+namespace lightbench::cli {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+TEST_F(Cli, DevicesAreListed) {
+    const Ran text = run({"devices"}), as_json = run({"devices", "--json"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    const json devices = json::parse(as_json.out);
+    ASSERT_GE(devices.size(), 1u);
+    EXPECT_THAT(text.out, HasSubstr(devices[0]["name"].get<std::string>()));
+    EXPECT_THAT(text.out, HasSubstr("lacks"));
+}
+
+TEST_F(Cli, NoDriverIsSaid) {
+    const Ran ran = run({"devices"}, {{"VK_ICD_FILENAMES", "/nowhere.json"}, {"VK_DRIVER_FILES", "/nowhere.json"}});
+    EXPECT_EQ(ran.code, 3);
+    EXPECT_THAT(ran.err, HasSubstr("lightbench: "));
+    EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err; // one sentence
+}
+
+TEST_F(Cli, TheGalleryIsAPageWithItsPictures) {
+    const Ran ran = run({"gallery", "-o", in_folder("out"), "--size", "48x27", "--quiet"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_EQ(ran.out, in_folder("out/index.html") + "\n");
+    const std::string page = read_text(folder / "out/index.html");
+    const std::regex image("<img src=\"([^\"]+)\"");
+    std::size_t pictures = 0;
+    for (std::sregex_iterator at(page.begin(), page.end(), image), end; at != end; ++at, ++pictures) {
+        const Image8 picture =
+            std::get<Image8>(read_image((folder / "out" / (*at)[1].str()).string())); // beside the page, no address elsewhere
+        EXPECT_EQ(picture.width, 48u);
+    }
+    EXPECT_GE(pictures, 15u);
+    EXPECT_EQ(page.find("http"), std::string::npos); // readable offline
+    for (const char* part : {"Gouraud: lost", "corrugated", "crease", "Mach bands", " ms", "no material"})
+        EXPECT_THAT(page, HasSubstr(part));
+}
+
+TEST_F(Cli, TheGalleryNeedsItsScenes) {
+    const Ran ran = run({"gallery", "-o", in_folder("out")}, {{"LIGHTBENCH_ASSETS", in_folder("empty")}});
+    EXPECT_EQ(ran.code, 0) << "the next place is looked at: " << ran.err;
+    EXPECT_EQ(run({"gallery", "-o", scene(kBall) + "/below"}).code, 2);
+    EXPECT_EQ(run({"gallery", "-o", in_folder("out"), "--size", "big"}).code, 2);
+}
+
+} // namespace
+} // namespace lightbench::cli
