@@ -3,13 +3,14 @@
 
 #include "scene/import_text.h"
 #include "scene/limits.h"
+#include "scene/paths.h"
 
 #include <array>
 #include <bit>
 #include <cstring>
 #include <set>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -38,7 +39,7 @@ std::optional<Chunks> split_glb(std::span<const std::uint8_t> file, Report& repo
         if (size > file.size() - at - 8)
             return fail(fmt::format("its chunk at byte {} has {} bytes; {} are left", at, size, file.size() - at - 8));
         const auto content = file.subspan(at + 8, size);
-        if (kind == kJson && at == 12) chunks.json = {reinterpret_cast<const char*>(content.data()), content.size()};
+        if (kind == kJson && at == 12) chunks.json = text_of(content);
         if (kind == kBinary && chunks.binary.empty()) chunks.binary = content;
         at += 8 + size;
     }
@@ -95,24 +96,24 @@ bool check_version(const GltfValue& root, Report& report) {
     return report.ok();
 }
 
-std::optional<Bytes> load_buffer(ImportJob& job, const GltfValue& buffer, std::span<const std::uint8_t> binary, bool first) {
+std::optional<std::string> load_buffer(ImportJob& job, const GltfValue& buffer, std::span<const std::uint8_t> binary, bool first) {
     const std::string uri = buffer.text("uri");
     if (uri.empty()) {
-        if (first && !binary.empty()) return Bytes(binary.begin(), binary.end());
+        if (first && !binary.empty()) return std::string(text_of(binary));
         buffer.problem("has no uri, and the file no binary chunk for it");
         return {};
     }
     if (uri.starts_with("data:")) return data_uri(uri, job.report, buffer.place);
-    const Resolved found = resolve(job.around, file_uri(uri));
+    const Found found = find_named(job.around, file_uri(uri));
     if (found.reference == Reference::missing) buffer.problem(fmt::format("the file {} does not exist", in_quotes(uri)));
     if (found.reference == Reference::outside)
-        buffer.problem(fmt::format("the file {} lies outside the scene's folder; --allow-outside permits that", in_quotes(uri)));
+        buffer.problem(
+            fmt::format("the file {} lies outside the scene's folder; move it into the folder or give --allow-outside", in_quotes(uri)));
     if (found.reference != Reference::found) return {};
-    auto read = read_whole_file(found.file);
-    if (const auto* why = std::get_if<std::string>(&read))
-        return buffer.problem(fmt::format("the file {} {}", in_quotes(uri), *why)), std::nullopt;
-    expect_more_input(job, std::get<Bytes>(read).size());
-    return std::move(std::get<Bytes>(read));
+    Bytes read = read_file(found.file, limits::kMaxFileBytes, "kMaxFileBytes");
+    if (!read.text) return buffer.problem(fmt::format("the file {}: {}", in_quotes(uri), read.why)), std::nullopt;
+    expect_more_input(job, read.text->size());
+    return std::move(read.text);
 }
 
 void load_buffers(ImportJob& job, GltfDocument& document, std::span<const std::uint8_t> binary) {
@@ -124,7 +125,7 @@ void load_buffers(ImportJob& job, GltfDocument& document, std::span<const std::u
         auto bytes = buffer ? load_buffer(job, buffer, binary, i == 0) : std::nullopt;
         const std::uint64_t said = buffer.count("byteLength", 0);
         if (bytes && said > bytes->size()) buffer.problem(fmt::format("byteLength is {}; there are {} bytes", said, bytes->size()));
-        document.buffers.push_back(bytes ? std::move(*bytes) : Bytes{});
+        document.buffers.push_back(bytes ? std::move(*bytes) : std::string());
     }
 }
 
@@ -133,27 +134,27 @@ int hex_digit(char c) {
 }
 
 // RFC 4648, section 4; padding is not needed. Nothing if another character is in it.
-std::optional<Bytes> decode_base64(std::string_view text) {
+std::optional<std::string> decode_base64(std::string_view text) {
     constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::array<int, 256> value{};
     value.fill(-1);
     for (std::size_t i = 0; i < kAlphabet.size(); ++i) value[static_cast<unsigned char>(kAlphabet[i])] = static_cast<int>(i);
     while (text.ends_with('=')) text.remove_suffix(1);
-    Bytes bytes;
+    std::string bytes;
     bytes.reserve(text.size() * 3 / 4);
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const int digit = value[static_cast<unsigned char>(text[i])];
         if (digit < 0) return {};
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
-        if (i % 4 != 0) bytes.push_back(static_cast<std::uint8_t>(bits >> (6 - 2 * (i % 4))));
+        if (i % 4 != 0) bytes.push_back(static_cast<char>(bits >> (6 - 2 * (i % 4))));
     }
     return bytes;
 }
 
 } // namespace
 
-std::optional<Bytes> data_uri(std::string_view uri, Report& report, const std::string& place) {
+std::optional<std::string> data_uri(std::string_view uri, Report& report, const std::string& place) {
     const std::size_t comma = uri.find(',');
     if (comma != uri.npos && uri.substr(0, comma).ends_with(";base64"))
         if (auto bytes = decode_base64(uri.substr(comma + 1))) return bytes;
@@ -172,9 +173,9 @@ std::string file_uri(std::string_view uri) {
 }
 
 std::optional<GltfDocument> open_gltf(ImportJob& job) {
-    Chunks chunks{{reinterpret_cast<const char*>(job.bytes.data()), job.bytes.size()}, {}};
+    Chunks chunks{job.bytes, {}};
     if (chunks.json.starts_with("glTF")) {
-        const auto split = split_glb(job.bytes, job.report);
+        const auto split = split_glb(bytes_of(job.bytes), job.report);
         if (!split) return {};
         chunks = *split;
     }
@@ -192,4 +193,4 @@ std::optional<GltfDocument> open_gltf(ImportJob& job) {
     return document;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -9,11 +9,11 @@
 #include <span>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct GltfDocument {
     Json json;
-    std::vector<Bytes> buffers;
+    std::vector<std::string> buffers;
     Report* report = nullptr;
     GltfValue root() const { return {&json, "", report}; }
 };
@@ -32,10 +32,10 @@ GltfAccessor accessor_of(const GltfDocument& document, std::size_t index);
 std::span<const std::uint8_t> view_of(const GltfDocument& document, std::size_t index);
 
 // What a `uri` says: the bytes of a data URI, or the name of a file with its %XX resolved.
-std::optional<Bytes> data_uri(std::string_view uri, Report& report, const std::string& place);
+std::optional<std::string> data_uri(std::string_view uri, Report& report, const std::string& place);
 std::string file_uri(std::string_view uri);
 
 // Reports every view and accessor that does not lie inside what it refers to.
 void check_gltf_ranges(const GltfDocument& document);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -8,7 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -186,4 +186,4 @@ void import_gltf(ImportJob& job) {
     if (job.report.ok()) add_nodes(job, *document, placed);
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -29,7 +29,8 @@ Picture embedded(const Context& in, const GltfValue& image, const std::string& u
     const std::string name = image.text("name");
     picture.file = name.empty() ? image.place : clean_name(name);
     if (!uri.empty()) {
-        picture.encoded = data_uri(uri, in.job.report, image.place).value_or(Bytes{});
+        const std::string bytes = data_uri(uri, in.job.report, image.place).value_or("");
+        picture.encoded.assign(bytes.begin(), bytes.end());
     } else if (const auto view = image.index("bufferView", in.document.root().array("bufferViews").size())) {
         const auto bytes = view_of(in.document, *view);
         picture.encoded.assign(bytes.begin(), bytes.end());
@@ -152,4 +153,4 @@ GltfMaterial material_for(ImportJob& job, const GltfDocument& document, std::opt
     return known.added[*index] = read_material(in, document.root().array("materials").item(*index));
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

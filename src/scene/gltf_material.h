@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct GltfMaterial {
     std::uint32_t material = 0; // index into Scene::materials
@@ -31,4 +31,4 @@ struct GltfMaterials {
 // `index`: into the file's materials; none: without.
 GltfMaterial material_for(ImportJob& job, const GltfDocument& document, std::optional<std::size_t> index, GltfMaterials& known);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -21,7 +21,7 @@ struct Geometry {
     ImportJob& job;
     const GltfDocument& document;
     Json accessors, views; // those of the file, and converted ones
-    Bytes converted;       // the buffer of the converted ones
+    std::string converted; // the buffer of the converted ones
     std::map<std::size_t, std::size_t> as_floats;
 };
 
@@ -51,8 +51,7 @@ std::size_t convert(Geometry& geometry, std::size_t index, const GltfAccessor& a
     for (std::uint64_t i = 0; i < a.count; ++i)
         for (std::uint64_t c = 0; c < a.components; ++c) {
             const float value = component(bytes, a.offset + i * a.stride + c * size, a);
-            const auto* raw = reinterpret_cast<const std::uint8_t*>(&value);
-            geometry.converted.insert(geometry.converted.end(), raw, raw + sizeof value);
+            geometry.converted.append(reinterpret_cast<const char*>(&value), sizeof value);
         }
     geometry.views.push_back(
         {{"buffer", geometry.document.buffers.size()}, {"byteOffset", first}, {"byteLength", geometry.converted.size() - first}});
@@ -171,9 +170,10 @@ std::string geometry_only(const Geometry& geometry, const std::vector<Primitive>
 }
 
 std::optional<AssimpScene> decode(const Geometry& geometry, const std::string& text) {
-    MemoryFiles files = {{"a.gltf", {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}}};
-    for (std::size_t i = 0; i < geometry.document.buffers.size(); ++i) files[fmt::format("{}.bin", i)] = geometry.document.buffers[i];
-    files[fmt::format("{}.bin", geometry.document.buffers.size())] = geometry.converted;
+    MemoryFiles files = {{"a.gltf", bytes_of(text)}};
+    for (std::size_t i = 0; i < geometry.document.buffers.size(); ++i)
+        files[fmt::format("{}.bin", i)] = bytes_of(geometry.document.buffers[i]);
+    files[fmt::format("{}.bin", geometry.document.buffers.size())] = bytes_of(geometry.converted);
     auto read = read_with_assimp(ImportFormat::gltf, "a.gltf", files);
     if (auto* scene = std::get_if<AssimpScene>(&read)) return std::move(*scene);
     geometry.job.report.problem(fmt::format("is refused by Assimp: {}", clean_name(std::get<std::string>(read))));
@@ -184,7 +184,7 @@ std::vector<GltfMeshUse> add_mesh(ImportJob& job, const GltfDocument& document, 
     std::string name = clean_name(document.root().array("meshes").item(mesh).text("name"));
     if (name.empty()) name = fmt::format("meshes[{}]", mesh);
     std::vector<GltfMeshUse> uses;
-    for (WeldedMesh& welded : weld(parts, true, name, job.report)) {
+    for (ImportedMesh& welded : weld(parts, true, name, job.report)) {
         uses.push_back({static_cast<std::uint32_t>(job.scene.meshes.size()), welded.material});
         job.scene.meshes.push_back(std::move(welded.mesh));
     }
@@ -230,4 +230,4 @@ std::map<std::size_t, std::vector<GltfMeshUse>> add_gltf_meshes(ImportJob& job, 
     return meshes;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -8,7 +8,7 @@
 #include <set>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct GltfMeshUse {
     std::uint32_t mesh = 0; // index into Scene::meshes
@@ -19,4 +19,4 @@ struct GltfMeshUse {
 std::map<std::size_t, std::vector<GltfMeshUse>> add_gltf_meshes(ImportJob& job, const GltfDocument& document,
                                                                 const std::set<std::size_t>& used);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -1,11 +1,12 @@
 // Buffer views and accessors of glTF: their place, and that it lies inside.
 #include "scene/gltf_document.h"
+#include "scene/import_text.h"
 #include "scene/limits.h"
 
 #include <array>
 #include <cstring>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -55,8 +56,8 @@ void check_accessor(const GltfDocument& document, const GltfValue& value, std::s
 
 std::span<const std::uint8_t> view_of(const GltfDocument& document, std::size_t index) {
     const GltfValue view = document.root().array("bufferViews").item(index);
-    const Bytes& buffer = document.buffers[*view.index("buffer", document.buffers.size())];
-    return std::span(buffer).subspan(view.count("byteOffset", 0), view.count("byteLength", 0));
+    const std::string& buffer = document.buffers[*view.index("buffer", document.buffers.size())];
+    return bytes_of(buffer).subspan(view.count("byteOffset", 0), view.count("byteLength", 0));
 }
 
 GltfAccessor accessor_of(const GltfDocument& document, std::size_t index) {
@@ -80,4 +81,4 @@ void check_gltf_ranges(const GltfDocument& document) {
         if (const GltfValue value = accessors.item(i)) check_accessor(document, value, i, views.size());
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

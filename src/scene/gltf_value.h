@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 using Json = nlohmann::json;
 
@@ -99,4 +99,4 @@ struct GltfValue {
     }
 };
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -6,12 +6,16 @@
 #include "scene/import_text.h"
 #include "scene/import_wire.h"
 #include "scene/limits.h"
+#include "scene/paths.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <sys/stat.h>
 
 namespace lightbench {
 
+namespace importer {
 namespace {
 
 std::optional<ImportFormat> format_of(const std::filesystem::path& file) {
@@ -38,7 +42,7 @@ std::string_view kind_by_content(std::string_view text) {
 
 // Content that says what it is, and is not what the extension says, is named; the readers see to the rest.
 bool content_fits(ImportJob& job) {
-    const std::string_view text(reinterpret_cast<const char*>(job.bytes.data()), std::min<std::size_t>(job.bytes.size(), 16));
+    const std::string_view text = std::string_view(job.bytes).substr(0, 16);
     const std::string_view kind = kind_by_content(text);
     const bool own =
         (job.format == ImportFormat::gltf && kind == "a binary glTF file") || (job.format == ImportFormat::ply && kind == "a PLY file");
@@ -73,54 +77,68 @@ void check_limits(ImportJob& job) {
 
 // In the child: everything that touches the file's content.
 void import_into(int descriptor, ImportJob& job) {
-    auto read = read_whole_file(job.file);
-    if (const auto* why = std::get_if<std::string>(&read))
-        job.report.problem(*why);
+    Bytes read = read_file(job.file, limits::kMaxFileBytes, "kMaxFileBytes");
+    if (read.text)
+        job.bytes = std::move(*read.text), job.input_bytes = job.bytes.size();
     else
-        job.bytes = std::move(std::get<Bytes>(read)), job.input_bytes = job.bytes.size();
+        job.report.problem(read.why);
     if (job.report.ok() && content_fits(job)) read_format(job);
     if (job.report.ok()) check_limits(job);
-    job.report.count_unlisted();
     Imported imported{job.report.ok() ? std::move(job.scene) : Scene{}, std::move(job.report)};
     write_imported(descriptor, imported);
 }
 
-std::optional<std::string> refused_by_sight(const std::filesystem::path& file, struct stat& status) {
+// The size of the file, or why it is refused before a child is made.
+std::variant<std::uint64_t, std::string> look_at(const std::filesystem::path& file) {
+    struct stat status {};
     if (!format_of(file))
-        return fmt::format("the extension {} is not one of .obj .gltf .glb .ply .stl", in_quotes(file.extension().string()));
-    if (::stat(file.c_str(), &status) != 0) return "does not exist or cannot be reached";
-    if (S_ISDIR(status.st_mode)) return "is a folder, not a file";
-    if (!S_ISREG(status.st_mode)) return "is not a regular file";
-    return {};
+        return fmt::format("unknown extension {}; it must be .obj .gltf .glb .ply or .stl", in_quotes(file.extension().string()));
+    if (::stat(file.c_str(), &status) != 0) return errno == ENOENT ? "there is no such file" : std::strerror(errno);
+    if (S_ISDIR(status.st_mode)) return "it is a directory; it must be a regular file";
+    if (!S_ISREG(status.st_mode)) return "it is not a regular file";
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+Loaded refused(const std::filesystem::path& file, const std::string& why) {
+    return {{}, {{file.string(), 0, 0, why}}, 0};
 }
 
 Loaded take_over(const std::filesystem::path& file, const ChildOutput& output) {
-    if (output.failure()) return {{}, {{file.string(), 0, 0, *output.failure()}}};
+    if (output.failure()) return refused(file, *output.failure());
     auto imported = read_imported(output.bytes());
-    if (!imported) return {{}, {{file.string(), 0, 0, "its content makes the reader fail (garbage)"}}};
-    if (!imported->report.ok()) return {{}, std::move(imported->report.problems)};
-    for (std::string& remark : imported->report.remarks) imported->scene.remarks.push_back(imported->scene.name + ": " + remark);
-    return {std::move(imported->scene), {}};
+    if (!imported) return refused(file, "its content makes the reader fail (garbage)");
+    const Report& report = imported->report;
+    if (!report.ok()) return {{}, listed(report.log, file.string()), report.log.unlisted};
+    Scene& scene = imported->scene;
+    scene.remarks = report.remarks;
+    if (report.unlisted_remarks > 0) scene.remarks.push_back(fmt::format("and {} more remarks", report.unlisted_remarks));
+    return {std::move(scene), {}, 0};
 }
 
-} // namespace
-
-bool is_imported_format(const std::filesystem::path& file) {
-    return format_of(file).has_value();
-}
-
-Loaded import_file(const std::filesystem::path& file, const LoadOptions& options, const std::filesystem::path& root) {
-    struct stat status {};
-    if (const auto why = refused_by_sight(file, status)) return {{}, {{file.string(), 0, 0, *why}}};
+ImportJob job_for(const std::filesystem::path& file, const LoadOptions& options, const std::filesystem::path& root) {
     ImportJob job;
     job.file = file, job.format = *format_of(file);
-    job.around.folder = file.has_parent_path() ? file.parent_path() : ".";
+    job.around.folder = folder_of(file);
     job.around.root = root.empty() ? job.around.folder : root;
     job.around.allow_outside = options.allow_outside;
     job.scene.name = clean_name(file.filename().string());
-    job.report.file = file.string(), job.report.max_problems = options.max_problems;
-    return take_over(file, run_in_child(allowance_for(static_cast<std::uint64_t>(status.st_size)),
-                                        [&job](int descriptor) { import_into(descriptor, job); }));
+    job.report.file = file.string(), job.report.log.max = options.max_problems;
+    return job;
+}
+
+} // namespace
+} // namespace importer
+
+bool is_imported_format(const std::filesystem::path& file) {
+    return importer::format_of(file).has_value();
+}
+
+Loaded import_file(const std::filesystem::path& file, const LoadOptions& options, const std::filesystem::path& root) {
+    const auto seen = importer::look_at(file);
+    if (const auto* why = std::get_if<std::string>(&seen)) return importer::refused(file, *why);
+    importer::ImportJob job = importer::job_for(file, options, root);
+    const auto allowance = importer::allowance_for(std::get<std::uint64_t>(seen));
+    return importer::take_over(file, importer::run_in_child(allowance, [&job](int descriptor) { importer::import_into(descriptor, job); }));
 }
 
 } // namespace lightbench

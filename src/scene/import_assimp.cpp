@@ -10,7 +10,7 @@
 #include <new>
 #include <string_view>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -89,4 +89,4 @@ std::variant<AssimpScene, std::string> read_with_assimp(ImportFormat format, con
     return why.empty() ? "cannot be read" : why;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

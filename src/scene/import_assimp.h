@@ -11,7 +11,7 @@
 #include <string>
 #include <variant>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 enum class ImportFormat { obj, gltf, ply, stl };
 
@@ -26,4 +26,4 @@ struct AssimpScene {
 // Reads `main` of `files`, or says in one sentence why Assimp refuses it. Throws std::bad_alloc where memory ran out.
 std::variant<AssimpScene, std::string> read_with_assimp(ImportFormat format, const std::string& main, const MemoryFiles& files);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -28,7 +28,7 @@
 #endif
 #endif
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -145,4 +145,4 @@ ChildOutput run_in_child(const Allowance& allowance, const std::function<void(in
     return output;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

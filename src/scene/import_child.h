@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 // What reading `input_bytes` may take from now on. A small malformed file is refused within a second and 256 MiB.
 struct Allowance {
@@ -41,4 +41,4 @@ class ChildOutput {
 // `job` writes its result to the file descriptor it is given; it may throw std::bad_alloc. Throws std::system_error if no child can be made.
 ChildOutput run_in_child(const Allowance& allowance, const std::function<void(int)>& job);
 
-} // namespace lightbench
+} // namespace lightbench::importer

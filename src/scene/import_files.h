@@ -1,19 +1,10 @@
-// Files that the import reads, and the rule which of them it may read.
+// Files that an imported file names, and the rule which of them the import may read.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <string_view>
-#include <variant>
-#include <vector>
 
-namespace lightbench {
-
-using Bytes = std::vector<std::uint8_t>;
-
-// The whole of a regular file of at most limits::kMaxFileBytes, or one sentence why not. Never blocks on a pipe or a device.
-std::variant<Bytes, std::string> read_whole_file(const std::filesystem::path& file);
+namespace lightbench::importer {
 
 // Where an imported file may look for the files that it names.
 struct Surroundings {
@@ -24,13 +15,13 @@ struct Surroundings {
 
 enum class Reference { found, missing, outside };
 
-struct Resolved {
+struct Found {
     Reference reference = Reference::missing;
-    std::filesystem::path file;
+    std::filesystem::path file; // as people would type it
 };
 
-// A name as files of any system write it: backslashes separate folders too, if nothing has that very name. What does not exist is missing
-// wherever it is said to be: a file from elsewhere often holds paths of its author's machine, which endanger nobody.
-Resolved resolve(const Surroundings& around, std::string_view name);
+// A regular file of that name. Backslashes separate folders too, if nothing has that very name: files of other systems are read here. Names
+// that lead outside are told apart before the disk is asked, so that a file cannot find out what exists elsewhere.
+Found find_named(const Surroundings& around, std::string_view name);
 
-} // namespace lightbench
+} // namespace lightbench::importer

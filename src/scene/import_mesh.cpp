@@ -11,7 +11,7 @@
 #include <limits>
 #include <optional>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -166,8 +166,8 @@ void check_extent(const Mesh& mesh, Report& report) {
 }
 
 // Materials move to the object where the whole mesh has but one.
-WeldedMesh finished(Welder&& welder) {
-    WeldedMesh result{std::move(welder.mesh), 0};
+ImportedMesh finished(Welder&& welder) {
+    ImportedMesh result{std::move(welder.mesh), 0};
     std::vector<std::uint32_t>& materials = result.mesh.face_materials;
     result.material = materials.front();
     if (std::all_of(materials.begin(), materials.end(), [&](std::uint32_t m) { return m == materials.front(); })) materials = {};
@@ -186,7 +186,7 @@ bool fits(std::span<const MeshPart> parts, Report& report) {
 
 } // namespace
 
-std::vector<WeldedMesh> weld(std::span<const MeshPart> parts, bool keep_normals, const std::string& name, Report& report) {
+std::vector<ImportedMesh> weld(std::span<const MeshPart> parts, bool keep_normals, const std::string& name, Report& report) {
     if (!fits(parts, report)) return {};
     Welder with_normals, without;
     Dropped dropped;
@@ -197,7 +197,7 @@ std::vector<WeldedMesh> weld(std::span<const MeshPart> parts, bool keep_normals,
     for (const MeshPart& part : parts)
         if (!add_part(part, keep_normals, with_normals, without, dropped, report)) return {};
     remark_dropped(dropped, report);
-    std::vector<WeldedMesh> welded;
+    std::vector<ImportedMesh> welded;
     for (Welder* welder : {&with_normals, &without}) {
         if (welder->mesh.face_count() == 0) continue;
         check_extent(welder->mesh, report);
@@ -206,4 +206,4 @@ std::vector<WeldedMesh> weld(std::span<const MeshPart> parts, bool keep_normals,
     return welded;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

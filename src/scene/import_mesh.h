@@ -13,20 +13,20 @@
 
 struct aiMesh;
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct MeshPart {
     const aiMesh* mesh = nullptr;
     std::uint32_t material = 0; // index into Scene::materials
 };
 
-struct WeldedMesh {
+struct ImportedMesh {
     Mesh mesh;                  // face_materials only where there is more than one
     std::uint32_t material = 0; // of the object, otherwise
 };
 
 // Vertices are one where position, normal and uv are bit for bit the same (-0 is 0). A face keeps its normals if all of them are usable.
 // Without `keep_normals` the file's normals are those of facets and say nothing (STL). What is wrong goes into `report`.
-std::vector<WeldedMesh> weld(std::span<const MeshPart> parts, bool keep_normals, const std::string& name, Report& report);
+std::vector<ImportedMesh> weld(std::span<const MeshPart> parts, bool keep_normals, const std::string& name, Report& report);
 
-} // namespace lightbench
+} // namespace lightbench::importer

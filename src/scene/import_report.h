@@ -1,8 +1,8 @@
 // What the import found wrong (problems, which refuse the file) and what it could not express (remarks, which do not).
-// In: one call a finding. Out: at most `max_problems` of each, every remark once, and a last line that counts the rest.
+// In: one call a finding. Out: at most log.max of each, every remark once, the rest counted.
 #pragma once
 
-#include "scene/problem.h"
+#include "scene/problem_log.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -10,40 +10,31 @@
 #include <string>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct Report {
     std::string file; // as problems name it
-    std::size_t max_problems = 100;
-    Problems problems;
-    std::size_t unlisted = 0, unlisted_remarks = 0; // beyond max_problems
+    ProblemLog log;
     std::vector<std::string> remarks;
+    std::size_t unlisted_remarks = 0;
 
-    bool ok() const { return problems.empty() && unlisted == 0; }
+    bool ok() const { return log.empty(); }
 
     void problem_in(const std::string& where, unsigned line, std::string text) {
-        if (!problems.empty() && problems.back().file == where && problems.back().line == line && problems.back().text == text) return;
-        if (problems.size() < max_problems)
-            problems.push_back({where, line, 0, std::move(text)});
-        else
-            ++unlisted;
+        const bool again =
+            !log.kept.empty() && log.kept.back().file == where && log.kept.back().line == line && log.kept.back().text == text;
+        if (!again) lightbench::report(log, where, line, 0, std::move(text));
     }
     void problem_at(unsigned line, std::string text) { problem_in(file, line, std::move(text)); }
     void problem(std::string text) { problem_in(file, 0, std::move(text)); }
 
     void remark(std::string text) {
         if (std::find(remarks.begin(), remarks.end(), text) != remarks.end()) return;
-        if (remarks.size() < max_problems)
+        if (remarks.size() < log.max)
             remarks.push_back(std::move(text));
         else
             ++unlisted_remarks;
     }
-
-    void count_unlisted() {
-        if (unlisted > 0) problems.push_back({file, 0, 0, fmt::format("{} further problems are not listed", unlisted)});
-        if (unlisted_remarks > 0) remarks.push_back(fmt::format("{} further remarks are not listed", unlisted_remarks));
-        unlisted = unlisted_remarks = 0;
-    }
 };
 
-} // namespace lightbench
+} // namespace lightbench::importer

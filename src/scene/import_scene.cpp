@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 void expect_more_input(ImportJob& job, std::uint64_t bytes) {
     job.input_bytes += bytes;
@@ -29,12 +29,15 @@ std::uint32_t add_picture(Scene& scene, Picture picture) {
 }
 
 std::optional<std::uint32_t> add_picture_file(ImportJob& job, std::string_view name) {
-    const Resolved found = resolve(job.around, name);
+    const Found found = find_named(job.around, name);
     if (found.reference == Reference::found) return add_picture(job.scene, {found.file, {}});
     if (found.reference == Reference::missing)
         job.report.remark(fmt::format("the picture {} does not exist; its surfaces have no texture", in_quotes(name)));
+    else if (std::filesystem::path(name).is_absolute()) // a place on its author's machine, as exporters write them
+        job.report.remark(fmt::format("the picture {} is not read without --allow-outside; its surfaces have no texture", in_quotes(name)));
     else
-        job.report.problem(fmt::format("the picture {} lies outside the scene's folder; --allow-outside permits that", in_quotes(name)));
+        job.report.problem(fmt::format("the picture {} lies outside the scene's folder; move it into the folder or give --allow-outside",
+                                       in_quotes(name)));
     return {};
 }
 
@@ -50,7 +53,7 @@ std::uint32_t add_transform(Scene& scene, const glm::dmat4& transform) {
 }
 
 void add_whole_mesh(ImportJob& job, std::span<const MeshPart> parts, bool keep_normals) {
-    for (WeldedMesh& welded : weld(parts, keep_normals, job.scene.name, job.report)) {
+    for (ImportedMesh& welded : weld(parts, keep_normals, job.scene.name, job.report)) {
         Object object;
         object.shape = MeshUse{static_cast<std::uint32_t>(job.scene.meshes.size())};
         object.material = welded.material;
@@ -59,4 +62,4 @@ void add_whole_mesh(ImportJob& job, std::span<const MeshPart> parts, bool keep_n
     }
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct ImportJob {
     std::filesystem::path file;
     ImportFormat format = ImportFormat::obj;
     Surroundings around;
-    Bytes bytes;                   // of the file
+    std::string bytes;             // of the file
     std::uint64_t input_bytes = 0; // of the file and of those that it names, as far as read
     Scene scene;
     Report report;
@@ -44,4 +44,4 @@ std::uint32_t add_transform(Scene& scene, const glm::dmat4& transform);
 // The faces of all `parts` as one mesh in world space (two, if some have no normals).
 void add_whole_mesh(ImportJob& job, std::span<const MeshPart> parts, bool keep_normals);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <limits>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -65,12 +65,6 @@ std::string_view next_word(std::string_view& rest) {
     return word;
 }
 
-std::string in_quotes(std::string_view word) {
-    constexpr std::size_t kLongest = 60;
-    const std::string clean = clean_name(word.substr(0, kLongest));
-    return '"' + clean + (word.size() > kLongest ? "...\"" : "\"");
-}
-
 std::string clean_name(std::string_view name) {
     std::string clean;
     while (!name.empty()) {
@@ -110,4 +104,4 @@ std::optional<std::string_view> LineReader::next() {
     return joined;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

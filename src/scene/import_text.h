@@ -2,11 +2,21 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
-namespace lightbench {
+namespace lightbench::importer {
+
+// A file's content as bytes, and bytes as text.
+inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
+    return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
+inline std::string_view text_of(std::span<const std::uint8_t> bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
 std::string_view trimmed(std::string_view text);
 
@@ -16,9 +26,6 @@ std::optional<long long> parse_integer(std::string_view word);
 
 // Takes the next word (blanks around it dropped) off the front of `rest`; empty at the end.
 std::string_view next_word(std::string_view& rest);
-
-// The words of a message stay short and printable, whatever the file holds.
-std::string in_quotes(std::string_view word);
 
 // A name as Scene keeps it: valid UTF-8 without control characters; anything else becomes '?'.
 std::string clean_name(std::string_view name);
@@ -37,4 +44,4 @@ struct LineReader {
     std::string_view take();
 };
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -8,7 +8,7 @@
 #include <type_traits>
 #include <unistd.h>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -104,10 +104,13 @@ template <class A> void transfer(A& a, Problem& value) {
     auto& [file, line, column, text] = value;
     transfer(a, file), transfer(a, line), transfer(a, column), transfer(a, text);
 }
+template <class A> void transfer(A& a, ProblemLog& value) {
+    auto& [max, kept, unlisted] = value;
+    transfer(a, max), transfer(a, kept), transfer(a, unlisted);
+}
 template <class A> void transfer(A& a, Report& value) {
-    auto& [file, max_problems, problems, unlisted, unlisted_remarks, remarks] = value;
-    transfer(a, file), transfer(a, max_problems), transfer(a, problems), transfer(a, remarks);
-    transfer(a, unlisted), transfer(a, unlisted_remarks);
+    auto& [file, log, remarks, unlisted_remarks] = value;
+    transfer(a, file), transfer(a, log), transfer(a, remarks), transfer(a, unlisted_remarks);
 }
 template <class A> void transfer(A& a, Camera& value) {
     auto& [name, position, target, up, fov, hither] = value;
@@ -217,4 +220,4 @@ std::optional<Imported> read_imported(std::span<const std::uint8_t> bytes) {
     return imported;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

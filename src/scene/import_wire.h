@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct Imported {
     Scene scene;
@@ -20,4 +20,4 @@ struct Imported {
 void write_imported(int descriptor, Imported& imported);
 std::optional<Imported> read_imported(std::span<const std::uint8_t> bytes);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 using ByteView = std::span<const std::uint8_t>;
 
@@ -18,4 +18,4 @@ void check_ply(ByteView file, Report& report);
 // 84 + 50 n bytes of a binary one.
 ByteView check_stl(ByteView file, Report& report);
 
-} // namespace lightbench
+} // namespace lightbench::importer

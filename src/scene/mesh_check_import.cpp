@@ -1,8 +1,9 @@
 // PLY and STL: checked here, decoded by Assimp. One mesh, the default material.
 #include "scene/import_scene.h"
+#include "scene/import_text.h"
 #include "scene/mesh_check.h"
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -19,13 +20,13 @@ void add_all(ImportJob& job, ByteView bytes, bool keep_normals) {
 } // namespace
 
 void import_ply(ImportJob& job) {
-    check_ply(job.bytes, job.report);
-    if (job.report.ok()) add_all(job, job.bytes, true);
+    check_ply(bytes_of(job.bytes), job.report);
+    if (job.report.ok()) add_all(job, bytes_of(job.bytes), true);
 }
 
 void import_stl(ImportJob& job) {
-    const ByteView triangles = check_stl(job.bytes, job.report);
+    const ByteView triangles = check_stl(bytes_of(job.bytes), job.report);
     if (job.report.ok()) add_all(job, triangles, false);
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

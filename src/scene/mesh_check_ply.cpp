@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -253,4 +253,4 @@ void check_ply(ByteView file, Report& report) {
     if (!walk.failed && !walk.rest.empty()) report.remark(fmt::format("{} bytes after the last element are not read", walk.rest.size()));
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

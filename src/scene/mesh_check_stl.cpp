@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -101,4 +101,4 @@ ByteView check_stl(ByteView file, Report& report) {
     return report.ok() ? file.first(needed) : ByteView{};
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -10,7 +10,7 @@
 #include <initializer_list>
 #include <set>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -164,7 +164,7 @@ void finish(Scan& scan) {
         if (use.index > static_cast<long long>(scan.count[use.kind]))
             scan.report.problem_at(
                 use.line, fmt::format("{} {} does not exist; the file has {}", kKindNames[use.kind], use.index, scan.count[use.kind]));
-    std::stable_sort(scan.report.problems.begin(), scan.report.problems.end(),
+    std::stable_sort(scan.report.log.kept.begin(), scan.report.log.kept.end(),
                      [](const Problem& a, const Problem& b) { return a.line < b.line; });
     const auto remark = [&scan](std::size_t count, std::string_view what) {
         if (count > 0) scan.report.remark(fmt::format("{} {}", count, what));
@@ -212,4 +212,4 @@ ObjContents check_obj(std::string& text, Report& report) {
     return scan.contents;
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

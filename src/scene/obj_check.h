@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 struct ObjName {
     std::string name;
@@ -25,4 +25,4 @@ struct ObjContents {
 // Keeps the length of the text, but for a line end that it adds.
 ObjContents check_obj(std::string& text, Report& report);
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -5,39 +5,41 @@
 #include "scene/limits.h"
 #include "scene/obj_check.h"
 #include "scene/obj_material.h"
+#include "scene/paths.h"
 
 #include <set>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
+using MaterialIndices = std::map<std::string, std::uint32_t, std::less<>>; // of the scene, by usemtl name
+
 // Names may hold blanks, or be several in a line: the whole rest of the line is tried first.
 std::vector<std::string> library_names(const Surroundings& around, std::string_view rest) {
-    if (resolve(around, rest).reference != Reference::missing) return {std::string(rest)};
+    if (find_named(around, rest).reference != Reference::missing) return {std::string(rest)};
     std::vector<std::string> names;
     bool any = false;
     for (std::string_view list = rest, word; !(word = next_word(list)).empty();) {
         names.emplace_back(word);
-        any = any || resolve(around, word).reference != Reference::missing;
+        any = any || find_named(around, word).reference != Reference::missing;
     }
     return any ? names : std::vector{std::string(rest)};
 }
 
 void read_library(ImportJob& job, const ObjName& line, const std::string& name, MtlLibrary& library) {
-    const Resolved found = resolve(job.around, name);
+    const Found found = find_named(job.around, name);
     if (found.reference == Reference::outside)
         return job.report.problem_at(
             line.line,
-            fmt::format("the material library {} lies outside the scene's folder; --allow-outside permits that", in_quotes(name)));
+            fmt::format("the material library {} lies outside the scene's folder; move it into the folder or give --allow-outside",
+                        in_quotes(name)));
     if (found.reference == Reference::missing)
         return job.report.remark(fmt::format("line {}: the material library {} does not exist", line.line, in_quotes(name)));
-    const auto read = read_whole_file(found.file);
-    if (const auto* why = std::get_if<std::string>(&read))
-        return job.report.problem_at(line.line, fmt::format("the material library {} {}", in_quotes(name), *why));
-    const Bytes& bytes = std::get<Bytes>(read);
-    expect_more_input(job, bytes.size());
-    read_mtl({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, found.file.string(), library, job.report);
+    const Bytes read = read_file(found.file, limits::kMaxFileBytes, "kMaxFileBytes");
+    if (!read.text) return job.report.problem_at(line.line, fmt::format("the material library {}: {}", in_quotes(name), read.why));
+    expect_more_input(job, read.text->size());
+    read_mtl(*read.text, found.file.string(), library, job.report);
 }
 
 MtlLibrary read_libraries(ImportJob& job, const ObjContents& contents) {
@@ -71,8 +73,8 @@ Material with_pictures(ImportJob& job, const MtlMaterial& entry) {
 }
 
 // The scene's materials are those that faces use. One name stands for each that no library defines, since nothing is known of them.
-std::map<std::string, std::uint32_t, std::less<>> add_materials(ImportJob& job, const ObjContents& contents, const MtlLibrary& library) {
-    std::map<std::string, std::uint32_t, std::less<>> indices;
+MaterialIndices add_materials(ImportJob& job, const ObjContents& contents, const MtlLibrary& library) {
+    MaterialIndices indices;
     std::size_t undefined = 0;
     std::string first;
     for (const ObjName& use : contents.materials) {
@@ -86,7 +88,7 @@ std::map<std::string, std::uint32_t, std::less<>> add_materials(ImportJob& job, 
     return indices;
 }
 
-void add_geometry(ImportJob& job, const AssimpScene& read, const std::map<std::string, std::uint32_t, std::less<>>& materials) {
+void add_geometry(ImportJob& job, const AssimpScene& read, const MaterialIndices& materials) {
     std::vector<MeshPart> parts;
     std::optional<std::uint32_t> plain;
     for (unsigned i = 0; i < read.scene->mNumMeshes; ++i) {
@@ -102,14 +104,12 @@ void add_geometry(ImportJob& job, const AssimpScene& read, const std::map<std::s
 } // namespace
 
 void import_obj(ImportJob& job) {
-    std::string text(reinterpret_cast<const char*>(job.bytes.data()), job.bytes.size());
-    job.bytes = {};
-    const ObjContents contents = check_obj(text, job.report);
+    const ObjContents contents = check_obj(job.bytes, job.report);
     const MtlLibrary library = read_libraries(job, contents);
     if (!job.report.ok()) return;
     const auto materials = add_materials(job, contents, library);
-    const auto read = decode(job, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    const auto read = decode(job, bytes_of(job.bytes));
     if (read && job.report.ok()) add_geometry(job, *read, materials);
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <set>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 namespace {
 
@@ -179,4 +179,4 @@ void read_mtl(std::string_view text, const std::string& file, MtlLibrary& into, 
     for (auto& [name, entry] : own) into[name] = std::move(entry);
 }
 
-} // namespace lightbench
+} // namespace lightbench::importer

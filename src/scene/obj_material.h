@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace lightbench {
+namespace lightbench::importer {
 
 // A map_... statement: the file's name as written, and those of its options that Scene can express.
 struct MtlMap {
@@ -38,4 +38,4 @@ using MtlLibrary = std::map<std::string, MtlMaterial, std::less<>>;
 // Adds to `into`; a name that is there already is replaced, as the later library wins.
 void read_mtl(std::string_view text, const std::string& file, MtlLibrary& into, Report& report);
 
-} // namespace lightbench
+} // namespace lightbench::importer
