@@ -95,7 +95,7 @@ struct Curator {
 
 // Kinds of `make` are ours: that they exist with these parameters is tested, not hoped.
 Scene scene_of(const ExhibitRow& row, const ShotRow& shot) {
-    if (row.kind == nullptr) return load_or_throw(find_assets() / "default.toml");
+    if (row.kind == nullptr) return load_or_throw(find_assets() / "scenes/default.toml");
     auto made = make_scene(row.kind, shot.arguments);
     if (auto* problems = std::get_if<Problems>(&made)) throw UserError(std::move(*problems));
     return std::get<Scene>(std::move(made));
