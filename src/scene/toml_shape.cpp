@@ -30,8 +30,11 @@ bool read_points(Section& s, const toml::array& array, std::vector<glm::dvec3>& 
         return false;
     }
     bool fine = true;
-    for (const toml::node& node : array)
-        fine &= vector_of(s, node, fmt::format("point {}", points.size() + 1), points.emplace_back(), kCoordinate);
+    for (const toml::node& node : array) {
+        glm::dvec3 point(0);
+        fine &= vector_of(s, node, fmt::format("point {}", points.size() + 1), point, kCoordinate);
+        points.push_back(point);
+    }
     return fine;
 }
 
