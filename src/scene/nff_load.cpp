@@ -41,7 +41,7 @@ bool is_first_on_line(const NffScanner& s) {
 
 bool room_for(NffLoad& load, std::size_t have, std::size_t limit, std::string_view what) {
     if (have < limit) return true;
-    fault_here(load, fmt::format("more than {} {}", limit, what));
+    fault_here(load, "more than {} {}", limit, what);
     load.stopped = true;
     return false;
 }
@@ -83,23 +83,22 @@ Material material_of(const std::array<double, 8>& f, unsigned line) {
     return m;
 }
 
-bool check_fill(NffLoad& load, const std::array<double, 8>& f, unsigned line, unsigned column) {
+bool check_fill(NffLoad& load, const std::array<double, 8>& f) {
     const bool shine = f[4] == 0 || (f[5] >= 0 && f[5] <= FLT_MAX);
     const bool index = f[6] == 0 || (f[7] >= FLT_MIN && f[7] <= FLT_MAX);
-    if (!shine) fault_at(load, line, column, fmt::format("f: shine is {}; it must be 0 or greater where Ks is not 0", f[5]));
-    if (!index) fault_at(load, line, column, fmt::format("f: index of refraction is {}; it must be greater than 0 where T is not 0", f[7]));
+    if (!shine) fault_word(load, "f: shine is {}; it must be 0 or greater where Ks is not 0", f[5]);
+    if (!index) fault_word(load, "f: index of refraction is {}; it must be greater than 0 where T is not 0", f[7]);
     return shine && index;
 }
 
 bool read_fill(NffLoad& load) {
-    const unsigned line = load.in.line, column = load.in.column();
     std::array<double, 8> f;
-    if (!read_numbers(load, "f", kFill, f) || !check_fill(load, f, line, column)) return false;
+    if (!read_numbers(load, "f", kFill, f) || !check_fill(load, f)) return false;
     if (load.material && f == load.fill) return true;
     const auto [entry, added] = load.fills.try_emplace(f, static_cast<std::uint32_t>(load.scene.materials.size()));
     if (added) {
         if (!room_for(load, load.scene.materials.size(), limits::kMaxMaterials, "materials (limit kMaxMaterials)")) return false;
-        load.scene.materials.push_back(material_of(f, line));
+        load.scene.materials.push_back(material_of(f, load.word_line));
     }
     load.fill = f;
     load.material = entry->second;
@@ -107,19 +106,18 @@ bool read_fill(NffLoad& load) {
 }
 
 bool read_sphere(NffLoad& load) {
-    const unsigned line = load.in.line, column = load.in.column();
     double n[4];
     if (!read_numbers(load, "s", kSphere, n)) return false;
     if (n[3] < 0)
-        fault_at(load, line, column, "s: a negative radius (seen from inside only) is not supported; it must be greater than 0");
+        fault_last(load, "s: a negative radius (seen from inside only) is not supported; it must be greater than 0");
     else if (n[3] == 0)
-        fault_at(load, line, column, "s: radius is 0; it must be greater than 0");
+        fault_last(load, "s: radius is 0; it must be greater than 0");
     else
         add_object(load, Sphere{{n[0], n[1], n[2]}, n[3]});
     return true;
 }
 
-bool check_cone(NffLoad& load, const double* n, unsigned line, unsigned column) {
+bool check_cone(NffLoad& load, const double* n) {
     std::string_view wrong;
     if (n[3] < 0 || n[7] < 0)
         wrong = "a negative radius (seen from inside only) is not supported; it must be 0 or greater";
@@ -127,15 +125,14 @@ bool check_cone(NffLoad& load, const double* n, unsigned line, unsigned column) 
         wrong = "both radii are 0; one must be greater";
     else if (n[0] == n[4] && n[1] == n[5] && n[2] == n[6])
         wrong = "base and apex are the same point; they must differ";
-    if (!wrong.empty()) fault_at(load, line, column, fmt::format("c: {}", wrong));
+    if (!wrong.empty()) fault_word(load, "c: {}", wrong);
     return wrong.empty();
 }
 
 bool read_cone(NffLoad& load) {
-    const unsigned line = load.in.line, column = load.in.column();
     double n[8];
     if (!read_numbers(load, "c", kCone, n)) return false;
-    if (!check_cone(load, n, line, column)) return true;
+    if (!check_cone(load, n)) return true;
     const glm::dvec3 base(n[0], n[1], n[2]), apex(n[4], n[5], n[6]);
     if (n[3] == n[7])
         add_object(load, Cylinder{base, apex, n[3], false});
@@ -147,13 +144,13 @@ bool read_cone(NffLoad& load) {
 bool unknown_word(NffLoad& load, std::string_view word) {
     const auto is = [&](std::span<const std::string_view> words) { return std::find(words.begin(), words.end(), word) != words.end(); };
     if (is(kViewWords))
-        fault_here(load, fmt::format("{} stands outside a view; it belongs behind v", in_quotes(word)));
+        fault_here(load, "{} stands outside a view; it belongs behind v", in_quotes(word));
     else if (is(kExtensions))
-        fault_here(load, fmt::format("{} is an extension of other writers and not supported; NFF has {}", in_quotes(word), kWords));
+        fault_here(load, "{} is an extension of other writers and not supported; NFF has {}", in_quotes(word), kWords);
     else if (begins_number(word[0]))
-        fault_here(load, fmt::format("{} belongs to no statement; NFF has {}", in_quotes(word), kWords));
+        fault_here(load, "{} belongs to no statement; NFF has {}", in_quotes(word), kWords);
     else
-        fault_here(load, fmt::format("unknown statement {}; NFF has {}", in_quotes(word), kWords));
+        fault_here(load, "unknown statement {}; NFF has {}", in_quotes(word), kWords);
     return false;
 }
 
@@ -167,12 +164,12 @@ bool read_statement(NffLoad& load, std::string_view word) {
 }
 
 void next_statement(NffLoad& load) {
-    const unsigned line = load.in.line, column = load.in.column();
+    load.word_line = load.in.line, load.word_column = load.in.column();
     const std::string_view word = peek_word(load.in);
     constexpr std::string_view kStatements[] = {"s", "p", "pp", "c", "f", "l", "b"};
     if (word == "v") {
         take(load.in, word);
-        read_view(load, line, column);
+        read_view(load);
     } else if (std::find(std::begin(kStatements), std::end(kStatements), word) == std::end(kStatements)) {
         unknown_word(load, word);
         take(load.in, word);
@@ -204,34 +201,27 @@ void finish(NffLoad& load) {
 
 } // namespace
 
-void fault_at(NffLoad& load, unsigned line, unsigned column, std::string_view text) {
-    report(load.log, load.file, line, column, std::string(text));
-}
-
-void fault_here(NffLoad& load, std::string_view text) {
-    fault_at(load, load.in.line, load.in.column(), text);
-}
-
 bool read_numbers(NffLoad& load, std::string_view statement, std::span<const NffField> fields, std::span<double> out) {
     bool fine = true;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const NffField& field = fields[i];
         if (!skip_to_word(load.in)) {
-            fault_here(load, fmt::format("{}: the file ends where the {} should be", statement, field.name));
+            fault_here(load, "{}: the file ends where the {} should be", statement, field.name);
             return false;
         }
-        const unsigned line = load.in.line, column = load.in.column();
+        load.last_line = load.in.line, load.last_column = load.in.column();
         const auto value = take_number(load.in);
         if (!value) {
-            fault_here(load, fmt::format("{}: {} where a number should be, the {}", statement, in_quotes(peek_word(load.in)), field.name));
+            fault_here(load, "{}: {} where a number should be, the {}", statement, in_quotes(peek_word(load.in)), field.name);
             return false;
         }
         out[i] = *value;
         const bool finite = std::isfinite(*value);
         if (finite && *value >= field.low && *value <= field.high) continue;
-        fault_at(load, line, column,
-                 finite ? fmt::format("{}: {} is {}; {}", statement, field.name, *value, field.text)
-                        : fmt::format("{}: {} is not a finite number; it must be one", statement, field.name));
+        if (finite)
+            fault_last(load, "{}: {} is {}; {}", statement, field.name, *value, field.text);
+        else
+            fault_last(load, "{}: {} is not a finite number; it must be one", statement, field.name);
         fine = false;
     }
     return fine;
@@ -243,7 +233,7 @@ void end_statement(NffLoad& load, std::string_view statement, bool good) {
         const std::string_view what = begins_number(rest[0]) ? "one number too many"
                                       : statement == "f"     ? "a texture is an extension that is not supported"
                                                              : "nothing may follow here";
-        fault_here(load, fmt::format("{}: {} after the last number; {}", statement, in_quotes(rest), what));
+        fault_here(load, "{}: {} after the last number; {}", statement, in_quotes(rest), what);
         skip_line(load.in);
     }
     // A statement that went wrong: its numbers are not to be taken for statements. A word at the head of a line is the next one.

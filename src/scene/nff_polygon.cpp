@@ -11,15 +11,14 @@ constexpr NffField kPoint[] = {{"x"}, {"y"}, {"z"}, {"normal x"}, {"normal y"}, 
 
 // -1, 2^31, 2^63 and words are told, and nothing is reserved for them.
 std::optional<std::size_t> read_count(NffLoad& load, std::string_view statement) {
-    const unsigned line = load.in.line, column = load.in.column();
     const std::string_view word = skip_to_word_in_line(load.in) ? peek_word(load.in) : std::string_view{};
+    const unsigned line = load.in.line, column = word.empty() ? load.word_column : load.in.column();
     const auto count = word.empty() ? std::nullopt : take_number(load.in);
     const bool whole =
         count && *count >= 3 && *count <= limits::kMaxPolygonPoints && *count == static_cast<double>(static_cast<std::size_t>(*count));
     if (whole) return static_cast<std::size_t>(*count);
-    fault_at(load, line, column,
-             fmt::format("{}: {} points; the number must lie between 3 and {} (limit kMaxPolygonPoints)", statement,
-                         word.empty() ? "no number of" : in_quotes(word), limits::kMaxPolygonPoints));
+    fault_at(load, line, column, "{}: {} points; the number must lie between 3 and {} (limit kMaxPolygonPoints)", statement,
+             word.empty() ? "no number of" : in_quotes(word), limits::kMaxPolygonPoints);
     return std::nullopt;
 }
 

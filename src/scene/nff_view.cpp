@@ -35,11 +35,10 @@ bool read_point(NffLoad& load, std::string_view part, glm::dvec3& out) {
 }
 
 bool read_angle(NffLoad& load, Camera& camera) {
-    const unsigned line = load.in.line, column = load.in.column();
     double degrees = 0;
     if (!read_numbers(load, "angle", kAngle, {&degrees, 1})) return false;
     if (!(degrees > 0 && degrees < 180)) {
-        fault_at(load, line, column, fmt::format("angle is {}; it must lie between 0 and 180 degrees, both excluded", degrees));
+        fault_last(load, "angle is {}; it must lie between 0 and 180 degrees, both excluded", degrees);
         return false;
     }
     camera.fov = degrees * (glm::pi<double>() / 180);
@@ -47,11 +46,10 @@ bool read_angle(NffLoad& load, Camera& camera) {
 }
 
 bool read_resolution(NffLoad& load) {
-    const unsigned line = load.in.line, column = load.in.column();
     double size[2];
     if (!read_numbers(load, "resolution", kSize, size)) return false;
     if (size[0] != std::floor(size[0]) || size[1] != std::floor(size[1])) {
-        fault_at(load, line, column, "resolution must be two whole numbers");
+        fault_last(load, "resolution must be two whole numbers");
         return false;
     }
     load.scene.film = glm::uvec2(static_cast<unsigned>(size[0]), static_cast<unsigned>(size[1]));
@@ -69,9 +67,9 @@ bool read_part(NffLoad& load, std::size_t part, View& view) {
     }
 }
 
-void check_view(NffLoad& load, const View& view, unsigned line, unsigned column) {
+void check_view(NffLoad& load, const View& view) {
     for (std::size_t part : {0, 1, 2, 3, 5}) // hither may be left out
-        if (!view.seen[part]) fault_at(load, line, column, fmt::format("v: {} is missing", kParts[part]));
+        if (!view.seen[part]) fault_word(load, "v: {} is missing", kParts[part]);
     if (!view.good[0] || !view.good[1] || !view.good[2]) return;
     if (has_no_direction(view.camera))
         fault_at(load, view.at_line, 1, "at is the same point as from; the camera must look somewhere");
@@ -81,22 +79,22 @@ void check_view(NffLoad& load, const View& view, unsigned line, unsigned column)
 
 } // namespace
 
-void read_view(NffLoad& load, unsigned line, unsigned column) {
-    if (!load.scene.cameras.empty()) return fault_at(load, line, column, "a second v; a file has one view");
+void read_view(NffLoad& load) {
+    if (!load.scene.cameras.empty()) return fault_word(load, "a second v; a file has one view");
     View view;
     view.camera.name = "view";
     while (skip_to_word(load.in)) {
         const std::string_view word = peek_word(load.in);
         const std::size_t part = part_index(word);
         if (part >= std::size(kParts)) break;
-        if (view.seen[part]) fault_here(load, fmt::format("a second {}; a view has one", word));
+        if (view.seen[part]) fault_here(load, "a second {}; a view has one", word);
         take(load.in, word);
         view.seen[part] = true;
         view.good[part] = read_part(load, part, view);
         end_statement(load, word, view.good[part]);
     }
     load.scene.cameras.push_back(view.camera);
-    check_view(load, view, line, column);
+    check_view(load, view);
 }
 
 } // namespace lightbench

@@ -14,8 +14,12 @@ using namespace testing_files;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Loaded load(std::string_view text) { return load_nff_text(text, "x.nff", {}); }
-Scene scene_from(std::string_view text) { return scene_of(load(text)); }
+Loaded load(std::string_view text) {
+    return load_nff_text(text, "x.nff", {});
+}
+Scene scene_from(std::string_view text) {
+    return scene_of(load(text));
+}
 
 std::vector<std::string> problems_of(std::string_view text) {
     const Loaded loaded = load(text);
@@ -100,17 +104,18 @@ TEST(LoadNff, Shapes) {
 }
 
 TEST(LoadNff, CommentsBlanksAndLineEndsOfAnyKind) {
-    const Scene s = scene_from("\xef\xbb\xbf# a file\r\n\r\n  f 1 1 1 1 0 0 0 0 # a fill\r\n\ts\t0 0 0 1\r\n#s 9 9 9 9\np 3\n# first\n0 0 0\n\n1 0 0\n0 1 0");
+    const Scene s = scene_from(
+        "\xef\xbb\xbf# a file\r\n\r\n  f 1 1 1 1 0 0 0 0 # a fill\r\n\ts\t0 0 0 1\r\n#s 9 9 9 9\np 3\n# first\n0 0 0\n\n1 0 0\n0 1 0");
     EXPECT_EQ(s.objects.size(), 2u);
 }
 
 TEST(LoadNff, PolygonsOfRealFiles) {
     const Scene s = scene_from("f 1 1 1 1 0 0 0 0\n"
-                               "p 4\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n"                // a point twice: a triangle
-                               "p 4\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n"                // closed by hand: a triangle
-                               "p 3\n0 0 0\n1 0 0\n2 0 0\n"                       // no area
-                               "p 3\n0 0 0\n0 0 0\n0 0 0\n"                       // a point
-                               "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n"              // bent: two triangles
+                               "p 4\n0 0 0\n1 0 0\n1 0 0\n0 1 0\n"               // a point twice: a triangle
+                               "p 4\n0 0 0\n1 0 0\n0 1 0\n0 0 0\n"               // closed by hand: a triangle
+                               "p 3\n0 0 0\n1 0 0\n2 0 0\n"                      // no area
+                               "p 3\n0 0 0\n0 0 0\n0 0 0\n"                      // a point
+                               "p 4\n0 0 0\n1 0 0\n1 1 0\n0 1 0.5\n"             // bent: two triangles
                                "pp 3\n0 0 0 0 0 0\n1 0 0 0 0 1\n0 1 0 0 0 1\n"); // a normal of length 0
     ASSERT_EQ(s.objects.size(), 5u);
     EXPECT_EQ(std::get<Polygon>(s.objects[0].shape).points.size(), 3u);
@@ -130,7 +135,8 @@ TEST(LoadNff, ProblemsHaveTheirPlace) {
         {"tess 4\n", "x.nff:1:1: \"tess\" is an extension of other writers and not supported; NFF has v b l f s c p pp and # comments"},
         {"s 0 0 0 1\nxyz 1 2\n4 5\ns 0 0 0 1\n", "x.nff:2:1: unknown statement \"xyz\"; NFF has v b l f s c p pp and # comments"},
         {"angle 45\n", "x.nff:1:1: \"angle\" stands outside a view; it belongs behind v"},
-        {"f 1 1 1 1 0 0 0 0 wood.png\n", "x.nff:1:19: f: \"wood.png\" after the last number; a texture is an extension that is not supported"},
+        {"f 1 1 1 1 0 0 0 0 wood.png\n",
+         "x.nff:1:19: f: \"wood.png\" after the last number; a texture is an extension that is not supported"},
         {"s 1 -4 2 4 2 2\n", "x.nff:1:12: s: \"2\" after the last number; one number too many"},
         {"f 0.3 0.3 0.3 1 1\ns 0 0 0 1\n", "x.nff:2:1: f: \"s\" where a number should be, the shine"},
         {"s 0 0 0", "x.nff:1:8: s: the file ends where the radius should be"},
@@ -139,28 +145,32 @@ TEST(LoadNff, ProblemsHaveTheirPlace) {
         {"s 0 0 1e39 1\n", "x.nff:1:7: s: center z is 1e+39; it must lie between -1e15 and 1e15 (limit kMaxCoordinate)"},
         {"s 0 0 0 0x1p3\n", "x.nff:1:9: s: \"0x1p3\" where a number should be, the radius"},
         {"s 0 0 0 1,5\n", "x.nff:1:9: s: \"1,5\" where a number should be, the radius"},
-        {"s 0 0 0 0\n", "x.nff:1:2: s: radius is 0; it must be greater than 0"},
-        {"s 0 0 0 -1\n", "x.nff:1:2: s: a negative radius (seen from inside only) is not supported; it must be greater than 0"},
-        {"c 0 0 0 1 0 0 0 1\n", "x.nff:1:2: c: base and apex are the same point; they must differ"},
-        {"c 0 0 0 0 0 0 1 0\n", "x.nff:1:2: c: both radii are 0; one must be greater"},
+        {"s 0 0 0 0\n", "x.nff:1:9: s: radius is 0; it must be greater than 0"},
+        {"s 0 0 0 -1\n", "x.nff:1:9: s: a negative radius (seen from inside only) is not supported; it must be greater than 0"},
+        {"c 0 0 0 1 0 0 0 1\n", "x.nff:1:1: c: base and apex are the same point; they must differ"},
+        {"c 0 0 0 0 0 0 1 0\n", "x.nff:1:1: c: both radii are 0; one must be greater"},
         {"f 1.5 1 1 1 0 0 0 0\n", "x.nff:1:3: f: red is 1.5; it must lie between 0 and 1"},
-        {"f 1 1 1 1 0.5 -1 0 0\n", "x.nff:1:2: f: shine is -1; it must be 0 or greater where Ks is not 0"},
-        {"f 1 1 1 1 0 0 0.5 0\n", "x.nff:1:2: f: index of refraction is 0; it must be greater than 0 where T is not 0"},
+        {"f 1 1 1 1 0.5 -1 0 0\n", "x.nff:1:1: f: shine is -1; it must be 0 or greater where Ks is not 0"},
+        {"f 1 1 1 1 0 0 0.5 0\n", "x.nff:1:1: f: index of refraction is 0; it must be greater than 0 where T is not 0"},
         {"b 0 -1 0\n", "x.nff:1:5: b: green is -1; it must be 0 or greater, and at most 3.4e38"},
         {"l 0 0 0 1\n", "x.nff:2:1: l: the file ends where the green should be"},
-        {"p 2\n0 0 0\n1 0 0\n", "x.nff:1:2: p: \"2\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
-        {"p -1\n", "x.nff:1:2: p: \"-1\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
-        {"p 2147483648\n0 0 0\n", "x.nff:1:2: p: \"2147483648\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
-        {"p 9223372036854775808\n", "x.nff:1:2: p: \"9223372036854775808\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
-        {"p 3.5\n", "x.nff:1:2: p: \"3.5\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
-        {"p\n0 0 0\n", "x.nff:1:2: p: no number of points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p 2\n0 0 0\n1 0 0\n", "x.nff:1:3: p: \"2\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p -1\n", "x.nff:1:3: p: \"-1\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p 2147483648\n0 0 0\n", "x.nff:1:3: p: \"2147483648\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p 9223372036854775808\n",
+         "x.nff:1:3: p: \"9223372036854775808\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p 3.5\n", "x.nff:1:3: p: \"3.5\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
+        {"p\n0 0 0\n", "x.nff:1:1: p: no number of points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
         {"p 3\n0 0 0\n1 0 0\n0 1\ns 0 0 0 1\n", "x.nff:5:1: p: \"s\" where a number should be, the z"},
         {"\x1b[2J\n", "x.nff:1:1: unknown statement \"\\x1b[2J\"; NFF has v b l f s c p pp and # comments"},
         {"1 2 3\n4 5\n", "x.nff:1:1: \"1\" belongs to no statement; NFF has v b l f s c p pp and # comments"},
-        {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 180\nresolution 4 4\n", "x.nff:5:6: angle is 180; it must lie between 0 and 180 degrees, both excluded"},
-        {"v\nfrom 1 0 0\nat 1 0 0\nup 0 0 1\nangle 45\nresolution 4 4\n", "x.nff:3:1: at is the same point as from; the camera must look somewhere"},
-        {"v\nfrom 1 0 0\nat 0 0 0\nup 2 0 0\nangle 45\nresolution 4 4\n", "x.nff:4:1: up is along the view direction; it must point to another side"},
-        {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 45\nresolution 4.5 4\n", "x.nff:6:11: resolution must be two whole numbers"},
+        {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 180\nresolution 4 4\n",
+         "x.nff:5:7: angle is 180; it must lie between 0 and 180 degrees, both excluded"},
+        {"v\nfrom 1 0 0\nat 1 0 0\nup 0 0 1\nangle 45\nresolution 4 4\n",
+         "x.nff:3:1: at is the same point as from; the camera must look somewhere"},
+        {"v\nfrom 1 0 0\nat 0 0 0\nup 2 0 0\nangle 45\nresolution 4 4\n",
+         "x.nff:4:1: up is along the view direction; it must point to another side"},
+        {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 45\nresolution 4.5 4\n", "x.nff:6:16: resolution must be two whole numbers"},
         {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 45\n", "x.nff:1:1: v: resolution is missing"},
     };
     for (const auto& c : cases) EXPECT_THAT(problems_of(c.text), ElementsAre(c.wanted)) << c.text;
@@ -168,8 +178,9 @@ TEST(LoadNff, ProblemsHaveTheirPlace) {
 
 TEST(LoadNff, AllProblemsAreToldTogether) {
     EXPECT_THAT(problems_of("f 1 1 1 2 0 0 0 0\ns 0 0 0 0\nfoo\np 3\n0 0 0\n1 x 0\n0 1 0\ns 0 0 0 1 9\nl 1 2\nb 0 0 0\n"),
-                ElementsAre(HasSubstr(":1:9: f: Kd is 2"), HasSubstr(":2:2: s: radius is 0"), HasSubstr(":3:1: unknown statement \"foo\""),
-                            HasSubstr(":6:3: p: \"x\" where a number"), HasSubstr(":8:11: s: \"9\" after"), HasSubstr(":10:1: l: \"b\" where a number")));
+                ElementsAre(HasSubstr(":1:9: f: Kd is 2"), HasSubstr(":2:9: s: radius is 0"), HasSubstr(":3:1: unknown statement \"foo\""),
+                            HasSubstr(":6:3: p: \"x\" where a number"), HasSubstr(":8:11: s: \"9\" after"),
+                            HasSubstr(":10:1: l: \"b\" where a number")));
 }
 
 TEST(LoadNff, ObjectsBeforeAnyFillAreToldOf) {

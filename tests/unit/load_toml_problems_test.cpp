@@ -53,8 +53,9 @@ TEST(LoadTomlProblems, Film) {
     expect_problems({
         {"[film]\nwidth = 640.0\nheight = 0\n", "room.toml:2:9: film: width is a number with a fraction; it must be a whole number\n"
                                                 "room.toml:3:10: film: height is 0; it must lie between 1 and 16384"},
-        {"[film]\nwidth = 9223372036854775807\nheight = -1\n", "room.toml:2:9: film: width is 9223372036854775807; it must lie between 1 and 16384\n"
-                                                               "room.toml:3:10: film: height is -1; it must lie between 1 and 16384"},
+        {"[film]\nwidth = 9223372036854775807\nheight = -1\n",
+         "room.toml:2:9: film: width is 9223372036854775807; it must lie between 1 and 16384\n"
+         "room.toml:3:10: film: height is -1; it must lie between 1 and 16384"},
         {"[film]\nwidth = 640\n", "room.toml:1:1: film: height is missing; give it in pixels"},
     });
 }
@@ -65,15 +66,18 @@ TEST(LoadTomlProblems, Camera) {
         {"[camera]\nfov = 0\n", "room.toml:2:7: camera: fov is 0; it must lie between 0 and 180 degrees, both excluded"},
         {"[camera]\nposition = [1, 1, 1]\ntarget = [1, 1, 1]\n",
          "room.toml:3:10: camera: target is the same point as position; the camera must look somewhere"},
-        {"[camera]\nposition = [0, 9, 0]\n", "room.toml:1:1: camera: up is [0, 1, 0], along the view direction; it must point to another side"},
+        {"[camera]\nposition = [0, 9, 0]\n",
+         "room.toml:1:1: camera: up is [0, 1, 0], along the view direction; it must point to another side"},
         {"[camera]\nup = [0, 0, -2]\n", "room.toml:2:6: camera: up is [0, 0, -2], along the view direction; it must point to another side"},
         {"[camera]\nup = [0, 0, 0]\n", "room.toml:2:6: camera: up is [0, 0, 0], along the view direction; it must point to another side"},
-        {"[camera]\nposition = [0, nan, 1e16]\n", "room.toml:2:16: camera: position's y is nan; it must be a finite number\n"
-                                                  "room.toml:2:21: camera: position's z is 1e+16; it must lie between -1e15 and 1e15 (limit kMaxCoordinate)"},
+        {"[camera]\nposition = [0, nan, 1e16]\n",
+         "room.toml:2:16: camera: position's y is nan; it must be a finite number\n"
+         "room.toml:2:21: camera: position's z is 1e+16; it must lie between -1e15 and 1e15 (limit kMaxCoordinate)"},
         {"[camera]\nposition = [0, 1]\n", "room.toml:2:12: camera: position has 2 elements; it must be three numbers [x, y, z]"},
         {"[camera]\nposition = 3\n", "room.toml:2:12: camera: position is a whole number; it must be three numbers [x, y, z]"},
         {"[camera]\nposition = [0, \"1\", 2]\n", "room.toml:2:16: camera: position's y is a string; it must be a number"},
-        {"[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"\n", "room.toml:4:8: camera \"a\": another camera has this name; names must differ"},
+        {"[[camera]]\nname = \"a\"\n[[camera]]\nname = \"a\"\n",
+         "room.toml:4:8: camera \"a\": another camera has this name; names must differ"},
         {"[camera]\nname = 1\nfof = 3\n", "room.toml:2:8: camera: name is a whole number; it must be a string\n"
                                           "room.toml:3:1: camera: unknown key \"fof\"; did you mean \"fov\"?"},
         {"[camera]\nhither = -1\n", "room.toml:2:10: camera: hither is -1; it must lie between 0 and 1e15 (limit kMaxCoordinate)"},
@@ -98,11 +102,13 @@ TEST(LoadTomlProblems, Lights) {
         {"[[light]]\ntype = \"sun\"\nposition = [0, 0, 0]\n",
          "room.toml:2:8: light: unknown type \"sun\"; it must be one of \"point\", \"directional\", \"spot\""},
         {"[[light]]\ntype = \"directional\"\n", "room.toml:1:1: light: direction is missing; give [x, y, z], the way the light travels"},
-        {"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 0]\n", "room.toml:3:13: light: direction is [0, 0, 0]; it must point somewhere"},
+        {"[[light]]\ntype = \"directional\"\ndirection = [0, 0, 0]\n",
+         "room.toml:3:13: light: direction is [0, 0, 0]; it must point somewhere"},
         {"[[light]]\nposition = [0, 0, 0]\nd0 = 0\nintensity = -1\n",
          "room.toml:4:13: light: intensity is -1; it must be 0 or greater, and at most 3.4e38\n"
          "room.toml:3:6: light: d0 is 0; it must be greater than 0 and at most 1e15 (limit kMaxCoordinate)"},
-        {"[[light]]\nposition = [0, 0, 0]\nintensity = 1e39\n", "room.toml:3:13: light: intensity is 1e+39; it must be 0 or greater, and at most 3.4e38"},
+        {"[[light]]\nposition = [0, 0, 0]\nintensity = 1e39\n",
+         "room.toml:3:13: light: intensity is 1e+39; it must be 0 or greater, and at most 3.4e38"},
         {"[[light]]\nposition = [0, 0, 0]\ncolor = 1e30\nintensity = 1e30\n",
          "room.toml:4:13: light: color times intensity is too large; it must be at most 3.4e38"},
         {"[[light]]\nposition = [0, 0, 0]\nattenuation = \"quadratic\"\n",
@@ -137,13 +143,19 @@ TEST(LoadTomlProblems, MaterialRanges) {
         {"environment", {"-1", "2", "[0, 0, 0]"}, {"0", "1"}},
         {"model", {"\"phog\"", "1"}, {"\"phong\"", "\"cook-torrance\""}},
         {"distribution", {"\"ggx\""}, {"\"gaussian\"", "\"beckmann\""}},
-        {"texture", {"1", "{}", "{checker = false}", "{file = \"no.png\"}", "{checker = true, scale = 0}", "{checker = true, mapping = \"cubic\"}", "{checker = true, size = 1}"},
+        {"texture",
+         {"1", "{}", "{checker = false}", "{file = \"no.png\"}", "{checker = true, scale = 0}", "{checker = true, mapping = \"cubic\"}",
+          "{checker = true, size = 1}"},
          {"{checker = true}", "{checker = true, scale = [1, 2]}"}},
-        {"bump", {"\"waves\"", "{}", "{function = \"wave\"}", "{function = \"waves\", frequency = 0}", "{function = \"waves\", amplitude = nan}", "{function = \"noise\", normal_map = true}"},
+        {"bump",
+         {"\"waves\"", "{}", "{function = \"wave\"}", "{function = \"waves\", frequency = 0}", "{function = \"waves\", amplitude = nan}",
+          "{function = \"noise\", normal_map = true}"},
          {"{function = \"waves\"}", "{function = \"noise\", amplitude = -1, frequency = 2}"}},
     };
     for (const Range& range : ranges) {
-        const auto problems = [&](const char* value) { return all_problems(fmt::format("[[material]]\nname = \"m\"\n{} = {}\n", range.key, value)); };
+        const auto problems = [&](const char* value) {
+            return all_problems(fmt::format("[[material]]\nname = \"m\"\n{} = {}\n", range.key, value));
+        };
         for (const char* value : range.wrong) {
             EXPECT_THAT(problems(value), testing::StartsWith("room.toml:3:")) << range.key << " = " << value;
             EXPECT_THAT(problems(value), testing::Not(testing::HasSubstr("\n"))) << range.key << " = " << value;
@@ -158,16 +170,18 @@ TEST(LoadTomlProblems, Materials) {
         {"[[material]]\ndiffuse = 2\n", "room.toml:1:1: material: name is missing; objects refer to it\n"
                                         "room.toml:2:11: material: diffuse is 2; it must lie between 0 and 1"},
         {"[[material]]\nname = \"\"\n", "room.toml:2:8: material \"\": the name is empty; objects refer to it"},
-        {"[[material]]\nname = \"a\"\n\n[[material]]\nname = \"a\"\n", "room.toml:5:8: material \"a\": the material at line 2 has this name; names must differ"},
+        {"[[material]]\nname = \"a\"\n\n[[material]]\nname = \"a\"\n",
+         "room.toml:5:8: material \"a\": the material at line 2 has this name; names must differ"},
         {"[[material]]\nname = \"a\"\ncolour = 1\n",
-         "room.toml:3:1: material \"a\": unknown key \"colour\"; the keys are name, diffuse, specular, shininess, model, distribution, roughness, f0, ior, "
+         "room.toml:3:1: material \"a\": unknown key \"colour\"; the keys are name, diffuse, specular, shininess, model, distribution, "
+         "roughness, f0, ior, "
          "fresnel, reflection, transmission, scatter, dispersion, opacity, environment, emission, two_sided, texture, bump"},
         {"[[material]]\nname = \"a\"\nDiffuse = 1\n", "room.toml:3:1: material \"a\": unknown key \"Diffuse\"; did you mean \"diffuse\"?"},
         {"[[material]]\nname = \"a\"\ntexture = {file = \"x.png\", checker = true}\n",
          "room.toml:3:19: material \"a\": texture: file \"x.png\": there is no such file\n"
          "room.toml:3:11: material \"a\": texture: both file and checker; give one of them"},
-        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n",
-         "room.toml:3:6: material \"a\\x1b[2J\\x0a\": f0 is 1; it must be at least 0 and less than 1 (the index of refraction is infinite there)"},
+        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n", "room.toml:3:6: material \"a\\x1b[2J\\x0a\": f0 is 1; it must be at least 0 "
+                                                              "and less than 1 (the index of refraction is infinite there)"},
     });
 }
 
@@ -177,16 +191,20 @@ TEST(LoadTomlProblems, Objects) {
         {"[[object]]\nshape = \"spere\"\n", "room.toml:2:9: object: unknown shape \"spere\"; did you mean \"sphere\"?"},
         {"[[material]]\nname = \"glass\"\n[[object]]\nshape = \"box\"\nmaterial = \"glas\"\n",
          "room.toml:5:12: object: unknown material \"glas\"; did you mean \"glass\"?"},
-        {"[[object]]\nshape = \"box\"\nmaterial = \"glas\"\n", "room.toml:3:12: object: unknown material \"glas\"; no [[material]] has this name"},
+        {"[[object]]\nshape = \"box\"\nmaterial = \"glas\"\n",
+         "room.toml:3:12: object: unknown material \"glas\"; no [[material]] has this name"},
         {"[[object]]\nshape = \"box\"\nmaterial = 3\n", "room.toml:3:12: object: material is a whole number; it must be a string"},
         {"[[object]]\nshape = \"box\"\nscale = 0\n", "room.toml:3:9: object: scale is 0 along x; its size must lie between 1e-15 and 1e15"},
-        {"[[object]]\nshape = \"box\"\nscale = [1, 1e-300, 1]\n", "room.toml:3:9: object: scale is 1e-300 along y; its size must lie between 1e-15 and 1e15"},
-        {"[[object]]\nshape = \"box\"\nrotate = [0, 0]\ntranslate = 5\n", "room.toml:4:13: object: translate is a whole number; it must be three numbers [x, y, z]\n"
-                                                                         "room.toml:3:10: object: rotate has 2 elements; it must be three numbers [x, y, z]"},
-        {"[[object]]\nshape = \"box\"\ncrease = 181\nsubdivide = 9\n", "room.toml:3:10: object: crease is 181; it must lie between 0 and 180 degrees\n"
-                                                                      "room.toml:4:13: object: subdivide is 9; it must lie between 0 and 8"},
-        {"[[object]]\nshape = \"box\"\nradius = 1\n",
-         "room.toml:3:1: object: unknown key \"radius\"; the keys are shape, material, translate, rotate, scale, crease, subdivide, min, max"},
+        {"[[object]]\nshape = \"box\"\nscale = [1, 1e-300, 1]\n",
+         "room.toml:3:9: object: scale is 1e-300 along y; its size must lie between 1e-15 and 1e15"},
+        {"[[object]]\nshape = \"box\"\nrotate = [0, 0]\ntranslate = 5\n",
+         "room.toml:4:13: object: translate is a whole number; it must be three numbers [x, y, z]\n"
+         "room.toml:3:10: object: rotate has 2 elements; it must be three numbers [x, y, z]"},
+        {"[[object]]\nshape = \"box\"\ncrease = 181\nsubdivide = 9\n",
+         "room.toml:3:10: object: crease is 181; it must lie between 0 and 180 degrees\n"
+         "room.toml:4:13: object: subdivide is 9; it must lie between 0 and 8"},
+        {"[[object]]\nshape = \"box\"\nradius = 1\n", "room.toml:3:1: object: unknown key \"radius\"; the keys are shape, material, "
+                                                      "translate, rotate, scale, crease, subdivide, min, max"},
     });
 }
 
@@ -197,16 +215,21 @@ TEST(LoadTomlProblems, Shapes) {
         {"[[object]]\nshape = \"sphere\"\nradius = -1\ncenter = [inf, 0, 0]\n",
          "room.toml:4:11: object: center's x is inf; it must be a finite number\n"
          "room.toml:3:10: object: radius is -1; it must be greater than 0 and at most 1e15 (limit kMaxCoordinate)"},
-        {"[[object]]\nshape = \"box\"\nmin = [0, 0, 0]\nmax = [1, 0, -1]\n", "room.toml:4:7: object: max's y is 0; it must be greater than min's, 0\n"
-                                                                           "room.toml:4:7: object: max's z is -1; it must be greater than min's, 0"},
+        {"[[object]]\nshape = \"box\"\nmin = [0, 0, 0]\nmax = [1, 0, -1]\n",
+         "room.toml:4:7: object: max's y is 0; it must be greater than min's, 0\n"
+         "room.toml:4:7: object: max's z is -1; it must be greater than min's, 0"},
         {"[[object]]\nshape = \"box\"\nmin = [2, 0, 0]\n", "room.toml:3:7: object: max's x is 0.5; it must be greater than min's, 2"},
         {"[[object]]\nshape = \"cylinder\"\ntop = [0, 0, 0]\n", "room.toml:3:7: object: top is the same point as base; they must differ"},
-        {"[[object]]\nshape = \"cone\"\nbase = [1, 1, 1]\napex = [1, 1, 1]\n", "room.toml:4:8: object: apex is the same point as base; they must differ"},
+        {"[[object]]\nshape = \"cone\"\nbase = [1, 1, 1]\napex = [1, 1, 1]\n",
+         "room.toml:4:8: object: apex is the same point as base; they must differ"},
         {"[[object]]\nshape = \"cone\"\napex = [0, 1, 0]\ntop = [0, 2, 0]\n",
          "room.toml:3:8: object: both apex and top; give apex for a point, top and top_radius for a cone cut off"},
-        {"[[object]]\nshape = \"cone\"\napex = [0, 1, 0]\ntop_radius = 1\n", "room.toml:4:14: object: an apex has no radius; write top in place of apex"},
-        {"[[object]]\nshape = \"cone\"\nbase_radius = 0\n", "room.toml:3:15: object: base_radius and top_radius are both 0; one must be greater"},
-        {"[[object]]\nshape = \"cone\"\nbase_radius = -1\n", "room.toml:3:15: object: base_radius is -1; it must lie between 0 and 1e15 (limit kMaxCoordinate)"},
+        {"[[object]]\nshape = \"cone\"\napex = [0, 1, 0]\ntop_radius = 1\n",
+         "room.toml:4:14: object: an apex has no radius; write top in place of apex"},
+        {"[[object]]\nshape = \"cone\"\nbase_radius = 0\n",
+         "room.toml:3:15: object: base_radius and top_radius are both 0; one must be greater"},
+        {"[[object]]\nshape = \"cone\"\nbase_radius = -1\n",
+         "room.toml:3:15: object: base_radius is -1; it must lie between 0 and 1e15 (limit kMaxCoordinate)"},
         {"[[object]]\nshape = \"torus\"\naxis = [0, 0, 0]\nminor = 0\n",
          "room.toml:3:8: object: axis is [0, 0, 0]; it must point somewhere\n"
          "room.toml:4:9: object: minor is 0; it must be greater than 0 and at most 1e15 (limit kMaxCoordinate)"},
@@ -220,13 +243,17 @@ TEST(LoadTomlProblems, Polygons) {
         {POLYGON, "room.toml:1:1: object: points is missing; give [[x, y, z], ...]"},
         {POLYGON "points = 3\n", "room.toml:3:10: object: points is a whole number; it must be an array of points [[x, y, z], ...]"},
         {POLYGON "points = [[0, 0, 0], [1, 0, 0]]\n", "room.toml:3:10: object: points has 2 points; a polygon needs 3"},
-        {POLYGON "points = [[0, 0, 0], [1, 0, nan], [1, 1]]\n", "room.toml:3:29: object: point 2's z is nan; it must be a finite number\n"
-                                                                "room.toml:3:35: object: point 3 has 2 elements; it must be three numbers [x, y, z]"},
-        {POLYGON "points = [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2], [0.3, 0.3, 0.3]]\n", "room.toml:3:10: object: all points lie on one line; a polygon needs an area"},
-        {POLYGON "points = [[1, 0, 0], [1, 0, 0], [1, 0, 0]]\n", "room.toml:3:10: object: all points lie on one line; a polygon needs an area"},
+        {POLYGON "points = [[0, 0, 0], [1, 0, nan], [1, 1]]\n",
+         "room.toml:3:29: object: point 2's z is nan; it must be a finite number\n"
+         "room.toml:3:35: object: point 3 has 2 elements; it must be three numbers [x, y, z]"},
+        {POLYGON "points = [[0.1, 0.1, 0.1], [0.2, 0.2, 0.2], [0.3, 0.3, 0.3]]\n",
+         "room.toml:3:10: object: all points lie on one line; a polygon needs an area"},
+        {POLYGON "points = [[1, 0, 0], [1, 0, 0], [1, 0, 0]]\n",
+         "room.toml:3:10: object: all points lie on one line; a polygon needs an area"},
         {POLYGON "points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.25]]\n",
          "room.toml:3:10: object: a point lies 0.0615 off the polygon's plane; it must lie within 3.5e-05; cut the polygon into triangles"},
-        {POLYGON "points = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nnormals = [[0, 0, 1]]\n", "room.toml:4:11: object: normals must be an array of 3 vectors, one a point"},
+        {POLYGON "points = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nnormals = [[0, 0, 1]]\n",
+         "room.toml:4:11: object: normals must be an array of 3 vectors, one a point"},
         {POLYGON "points = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nnormals = [[0, 0, 1], [0, 0, 0], [0, 0, 1]]\n",
          "room.toml:4:23: object: a normal is [0, 0, 0]; it must point somewhere"},
     });
@@ -236,9 +263,11 @@ TEST(LoadTomlProblems, Polygons) {
 TEST(LoadTomlProblems, PlanarityToleratesSixDigitsAndNoMore) {
     const auto square = [](double dent) {
         std::string points;
-        const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3)), v = glm::normalize(glm::cross(u, glm::dvec3(0, 0, 1))), n = glm::cross(u, v);
+        const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3)), v = glm::normalize(glm::cross(u, glm::dvec3(0, 0, 1))),
+                         n = glm::cross(u, v);
         for (int i = 0; i < 4; ++i) {
-            const glm::dvec3 p = glm::dvec3(7, -8, 9) + (i == 1 || i == 2 ? 1.0 : 0.0) * u + (i >= 2 ? 1.0 : 0.0) * v + (i == 3 ? dent : 0.0) * n;
+            const glm::dvec3 p =
+                glm::dvec3(7, -8, 9) + (i == 1 || i == 2 ? 1.0 : 0.0) * u + (i >= 2 ? 1.0 : 0.0) * v + (i == 3 ? dent : 0.0) * n;
             points += fmt::format("[{:.6g}, {:.6g}, {:.6g}],", p.x, p.y, p.z);
         }
         return fmt::format(POLYGON "points = [{}]\n", points);
@@ -272,7 +301,8 @@ TEST(LoadTomlProblems, CheckPrintsEveryProblemAndTheirNumber) {
                                                        "2 problems in " + file.string()));
     EXPECT_THAT(check_file(folder.write("fine.toml", "")), testing::IsEmpty());
     EXPECT_THAT(check_file(folder.path() / "no.toml"),
-                testing::ElementsAre((folder.path() / "no.toml").string() + ": there is no such file", "1 problem in " + (folder.path() / "no.toml").string()));
+                testing::ElementsAre((folder.path() / "no.toml").string() + ": there is no such file",
+                                     "1 problem in " + (folder.path() / "no.toml").string()));
 }
 
 } // namespace

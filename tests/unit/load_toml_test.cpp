@@ -12,9 +12,13 @@ namespace {
 using namespace testing_files;
 constexpr double kPi = std::numbers::pi;
 
-Scene scene_from(std::string_view text) { return scene_of(load_toml(text, "room.toml", {})); }
+Scene scene_from(std::string_view text) {
+    return scene_of(load_toml(text, "room.toml", {}));
+}
 
-template <class Wanted> const Wanted& shape_of(const Scene& scene, std::size_t object = 0) { return std::get<Wanted>(scene.objects.at(object).shape); }
+template <class Wanted> const Wanted& shape_of(const Scene& scene, std::size_t object = 0) {
+    return std::get<Wanted>(scene.objects.at(object).shape);
+}
 
 TEST(LoadToml, FilmCameraEnvironment) {
     const Folder folder;
@@ -294,7 +298,9 @@ TEST(LoadToml, CreaseAndSubdivide) {
     EXPECT_EQ(s.objects[1].subdivide, 0);
 }
 
-glm::dvec3 placed(const Scene& s, std::size_t object, glm::dvec3 p) { return glm::dvec3(s.transforms.at(s.objects.at(object).transform) * glm::dvec4(p, 1)); }
+glm::dvec3 placed(const Scene& s, std::size_t object, glm::dvec3 p) {
+    return glm::dvec3(s.transforms.at(s.objects.at(object).transform) * glm::dvec4(p, 1));
+}
 
 TEST(LoadToml, TransformIsTranslateZYXScale) {
     const Scene s = scene_from(R"(
