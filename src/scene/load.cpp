@@ -2,6 +2,7 @@
 #include "scene/load.h"
 
 #include "scene/import.h"
+#include "scene/import_text.h"
 #include "scene/limits.h"
 #include "scene/nff.h"
 #include "scene/paths.h"
