@@ -10,8 +10,10 @@ namespace lightbench {
 
 // Pieces along and across: a chord error of `error` (object units) for the shape's radii, each piece halved `halvings` times.
 struct Cuts {
-    std::uint32_t along = 1;  // around the axis; of a sphere: pieces of an icosahedron's edge
-    std::uint32_t across = 1; // around a torus's tube; rows of a cylinder's or cone's side, rings of its caps
+    std::uint32_t along = 1; // around the axis; of a sphere: pieces of an edge of the solid that is blown up
+    std::uint32_t across =
+        1; // around a torus's tube; rows of a cylinder's or cone's side, rings of its caps; of a sphere: the solid's faces, 8 or 20
+    auto operator<=>(const Cuts&) const = default;
 };
 
 Cuts cuts_of(const Sphere& sphere, double error, unsigned halvings);
@@ -25,8 +27,8 @@ std::size_t triangle_count(const Cylinder& cylinder, Cuts cuts);
 std::size_t triangle_count(const Cone& cone, Cuts cuts);
 std::size_t triangle_count(const Torus& torus, Cuts cuts);
 
-// Radius 1 about 0, from an icosahedron whose edges are cut into `pieces`: 20 * pieces^2 triangles; normals are the points.
-Faces unit_sphere_faces(std::uint32_t pieces);
+// Radius 1 about 0, an octahedron or icosahedron whose triangles are cut into along^2 each; normals are the points.
+Faces unit_sphere_faces(Cuts cuts);
 
 Faces box_faces(const Box& box);
 Faces cone_faces(const Cone& cone, Cuts cuts); // cylinders are cones of equal radii
