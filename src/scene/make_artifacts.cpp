@@ -9,8 +9,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
+// To whole nanometres: a cosine of a right angle, 6e-17, becomes the 0 that a reader of the file expects.
 std::uint32_t add_vertex(Mesh& mesh, const glm::dvec3& p) {
-    mesh.positions.emplace_back(p);
+    mesh.positions.emplace_back(glm::round(p * 1e9) / 1e9 + 0.0); // and no -0
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
 }
 
