@@ -15,7 +15,8 @@ float lambert(vec3 n, vec3 l) {
 // (1 - s)^n without the cancellation that 1 - s suffers in float near 1.
 //   s        in [0, 1)
 //   n        any finite number >= 0
-// Error: relative (8 + 2|x|) u, x = n ln(1 - s), where the result is a normal number; 0 below (kernel test PowerOneMinus).
+// Error: relative (8 + 2|x|) u, x = n ln(1 - s), for s < 0.01, (8 + 2.5|x|) u above, where the result is a normal number; 0 below it
+// (kernel test PowerOneMinus).
 float power_one_minus(float s, float n) { return exp_negative(n * log_one_minus(s)); }
 
 // Specular factor max(0, R.V)^n, R = 2 (N.L) N - L; 0 where N.L <= 0, so that no light leaks through from behind.
@@ -23,8 +24,8 @@ float power_one_minus(float s, float n) { return exp_negative(n * log_one_minus(
 // subtracted from 1, and errors in the lengths of the vectors enter squared. pow(R.V, n) is off by n * 2^-21 ln 2: 1e-4 at n = 300.
 //   n, l, v    unit vectors to 6 u
 //   shininess  any finite number >= 0; 0: a factor of 1 wherever N.L > 0 and R.V > 0
-// Error for R.V >= 1/2: relative (16 + 8|x| + 8 sqrt(2 n |x|)) u, x = n ln(R.V); the last term is the rounding of R, which the angle
-// between R and V amplifies. Below: absolute 16 u (kernel test PhongSpecular).
+// Error for R.V >= 1/2: relative (8 + 4|x| + 4 sqrt(2 n |x|)) u, x = n ln(R.V); the last term is the rounding of R, which the angle
+// between R and V amplifies. Below, for n >= 1: absolute 16 u (kernel test PhongSpecular).
 float phong_specular(vec3 n, vec3 l, vec3 v, float shininess) {
     float nl = dot(n, l);
     vec3 d = 2.0 * nl * n - (l + v); // R - V

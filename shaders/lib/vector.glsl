@@ -17,7 +17,7 @@ float scale_to_one(uint magnitude) {
 
 // Length that neither overflows nor underflows on the way.
 // Blue 1978, "A portable Fortran program to find the Euclidean norm of a vector", with one power of two as the scale.
-//   v        finite; |v| in [1e-37, 3e38] (below, where the device flushes denormal numbers, parts are lost)
+//   v        finite; |v| in [1e-37, 3e38], but from 5e-35 where the device flushes denormal components (2^-126 * 2^12)
 //   returns |v|; infinite only where |v| itself is beyond the largest float; NaN for NaN
 // Error: relative 3 u (kernel test SafeLength).
 float safe_length(vec3 v) {
@@ -33,7 +33,7 @@ vec3 upper_half(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000
 // Scaled as safe_length; then one Newton step on 1 - |w|^2, whose squares are exact by Dekker 1971, "A floating-point technique for
 // extending the available precision", sec. 5: the step leaves 0.8 u of the 3.5 u of w, rounding the result adds 1 u.
 //   v         anything
-//   fallback  what stands in for a vector without a direction: zero, infinite or NaN
+//   fallback  what stands in for a vector without a direction: all components zero or denormal, or any infinite or NaN
 // Error: | |n| - 1 | <= 2 u for |v| in [1e-37, 3e38] (kernel test SafeNormalize). About three times the cost of fast_normalize.
 vec3 safe_normalize(vec3 v, vec3 fallback) {
     uint magnitude = largest_magnitude(v);
@@ -45,7 +45,7 @@ vec3 safe_normalize(vec3 v, vec3 fallback) {
     precise vec3 rest = (hi + w) * lo; // w^2 - hi^2
     precise float missing = (((1.0 - square.x) - square.y) - square.z) - (rest.x + rest.y + rest.z);
     precise vec3 n = w + w * (0.5 * missing);
-    return magnitude - 1u < 0x7f7fffffu ? n : fallback; // one comparison: 0 wraps around
+    return magnitude - 0x00800000u < 0x7f000000u ? n : fallback; // one comparison: what is below 2^-126 wraps around
 }
 
 // Direction of a vector known to be of ordinary length, as interpolated normals and distances in frame units are.
