@@ -1,0 +1,27 @@
+// Runs tests/kernels/shaders/NAME.comp over inputs on the device. Out: results, and which invocations did not say that they finished.
+#pragma once
+
+#include "inputs.h"
+
+#include "gpu/device.h"
+#include "gpu/shader_code.h"
+
+#include <string>
+
+namespace lightbench::kernels {
+
+struct KernelRun {
+    std::string kernel;
+    Inputs inputs;
+    std::size_t arity = 1;      // floats a result
+    std::vector<float> results; // result after result
+    std::size_t missing = 0;    // invocations without a completion flag
+    std::size_t first_missing = 0;
+    std::span<const float> result(std::size_t i) const { return {results.data() + i * arity, arity}; }
+};
+
+const gpu::ShaderCode& find_kernel(std::string_view name);
+
+KernelRun run_kernel(gpu::Device& device, const std::string& name, Inputs inputs, std::size_t result_arity = 1);
+
+} // namespace lightbench::kernels
