@@ -2,7 +2,6 @@
 #include "scene/load.h"
 
 #include "scene/import.h"
-#include "scene/import_text.h"
 #include "scene/limits.h"
 #include "scene/nff.h"
 #include "scene/paths.h"

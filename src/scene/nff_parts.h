@@ -1,7 +1,6 @@
 // What the parts of the NFF loader share: one load in progress and the readers of its statements. Only nff*.cpp include this.
 #pragma once
 
-#include "scene/import_text.h"
 #include "scene/limits.h"
 #include "scene/nff_scan.h"
 #include "scene/problem_log.h"

@@ -1,4 +1,4 @@
-// Gathers the problems of one load: all are counted, the first `max` are kept.
+// Gathers the problems of one load: all are counted, the first `max` are kept. Text that came from a file is quoted harmlessly.
 #pragma once
 
 #include "scene/problem.h"
@@ -25,6 +25,9 @@ void report_all(ProblemLog& log, const Problems& problems);
 
 // The kept problems, and as the last one "and N more problems" if some are not listed.
 Problems listed(const ProblemLog& log, std::string_view file);
+
+// In double quotes, at most 60 bytes, control characters as \xNN: a file must not steer the terminal that shows its problems.
+std::string in_quotes(std::string_view text);
 
 // Empty, or `; did you mean "radius"?`.
 std::string did_you_mean(std::string_view typed, std::span<const std::string_view> names);

@@ -124,7 +124,6 @@ void read_material(TomlLoad& load, const toml::table& table) {
     read_bump(load, s, m);
     report_unknown_keys(s);
     load.materials.try_emplace(m.name, static_cast<std::uint32_t>(load.scene.materials.size()));
-    m.name = clean_name(m.name); // objects use the name as it is written, people see it printed
     load.scene.materials.push_back(std::move(m));
 }
 

@@ -2,7 +2,6 @@
 // column. In: a table and the rules of its keys. Out: plain values, problems; at the end, the keys that nobody asked for.
 #pragma once
 
-#include "scene/import_text.h"
 #include "scene/limits.h"
 #include "scene/problem_log.h"
 #include "scene/toml_library.h"

@@ -108,7 +108,7 @@ TEST(HostileScene, BytesThatAreNotText) {
                                  });
     expect_all_refused("a.nff",
                        {
-                           {"NUL", std::string("s 0 0 0 1\n\0\n", 12), "2:1: unknown statement \"?\""},
+                           {"NUL", std::string("s 0 0 0 1\n\0\n", 12), "2:1: unknown statement \"\\x00\""},
                            {"a program",
                             std::string("\x7f"
                                         "ELF\2\1\1\0",

@@ -162,7 +162,7 @@ TEST(LoadNff, ProblemsHaveTheirPlace) {
         {"p 3.5\n", "x.nff:1:3: p: \"3.5\" points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
         {"p\n0 0 0\n", "x.nff:1:1: p: no number of points; the number must lie between 3 and 65536 (limit kMaxPolygonPoints)"},
         {"p 3\n0 0 0\n1 0 0\n0 1\ns 0 0 0 1\n", "x.nff:5:1: p: \"s\" where a number should be, the z"},
-        {"\x1b[2J\n", "x.nff:1:1: unknown statement \"?[2J\"; NFF has v b l f s c p pp and # comments"},
+        {"\x1b[2J\n", "x.nff:1:1: unknown statement \"\\x1b[2J\"; NFF has v b l f s c p pp and # comments"},
         {"1 2 3\n4 5\n", "x.nff:1:1: \"1\" belongs to no statement; NFF has v b l f s c p pp and # comments"},
         {"v\nfrom 1 0 0\nat 0 0 0\nup 0 0 1\nangle 180\nresolution 4 4\n",
          "x.nff:5:7: angle is 180; it must lie between 0 and 180 degrees, both excluded"},

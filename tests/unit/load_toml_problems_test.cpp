@@ -180,7 +180,7 @@ TEST(LoadTomlProblems, Materials) {
         {"[[material]]\nname = \"a\"\ntexture = {file = \"x.png\", checker = true}\n",
          "room.toml:3:19: material \"a\": texture: file \"x.png\": there is no such file\n"
          "room.toml:3:11: material \"a\": texture: both file and checker; give one of them"},
-        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n", "room.toml:3:6: material \"a?[2J?\": f0 is 1; it must be at least 0 "
+        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n", "room.toml:3:6: material \"a\\x1b[2J\\x0a\": f0 is 1; it must be at least 0 "
                                                               "and less than 1 (the index of refraction is infinite there)"},
     });
 }
