@@ -58,12 +58,11 @@ class Geodesic {
 };
 
 std::uint32_t Geodesic::point(const std::array<std::uint32_t, 3>& corners, std::array<std::uint32_t, 3> weights) {
-    std::array<std::array<std::uint32_t, 2>, 3> terms;
+    std::array<std::array<std::uint32_t, 2>, 3> terms{{{kNone, 0}, {kNone, 0}, {kNone, 0}}}; // unused ones sort last
     std::size_t count = 0;
     for (std::size_t i = 0; i < 3; ++i)
         if (weights[i] > 0) terms[count++] = {corners[i], weights[i]};
-    std::sort(terms.begin(), terms.begin() + std::ptrdiff_t(count));
-    if (count == 1) terms[1] = {kNone, 0};
+    std::sort(terms.begin(), terms.end());
     const std::array<std::uint32_t, 4> key{terms[0][0], terms[0][1], terms[1][0], terms[1][1]};
     if (count < 3)
         if (const auto known = shared_.find(key); known != shared_.end()) return known->second;
