@@ -5,6 +5,7 @@
 #include "plan/facts.h"
 #include "render/cull.h"
 #include "render/raster.h"
+#include "render/render.h"
 #include "render/shaders.h"
 #include "scene/load.h"
 #include "shared/effects.h"

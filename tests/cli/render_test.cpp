@@ -4,6 +4,7 @@
 #include "image/files.h"
 #include "image/metrics.h"
 
+#include <cstring>
 #include <cmath>
 #include <gmock/gmock.h>
 
