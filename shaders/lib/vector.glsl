@@ -17,9 +17,9 @@ float scale_to_one(uint magnitude) {
 
 // Length that neither overflows nor underflows on the way.
 // Blue 1978, "A portable Fortran program to find the Euclidean norm of a vector", with one power of two as the scale.
-//   v        finite; |v| in [1e-37, 3e38], but from 5e-35 where the device flushes denormal components (2^-126 * 2^12)
+//   v        finite; |v| in [1e-37, 3e38]
 //   returns |v|; infinite only where |v| itself is beyond the largest float; NaN for NaN
-// Error: relative 3 u (kernel test SafeLength).
+// Error: relative 3 u (kernel test SafeLength); on devices that flush denormal numbers, 2^-252 / |v| more (components below 2^-126).
 float safe_length(vec3 v) {
     float scale = scale_to_one(largest_magnitude(v));
     vec3 w = v * scale;
@@ -49,7 +49,7 @@ vec3 safe_normalize(vec3 v, vec3 fallback) {
 }
 
 // Direction of a vector known to be of ordinary length, as interpolated normals and distances in frame units are.
-//   v        |v| in [1e-18, 1e18]: its square is a normal number
+//   v        |v| in [1e-15, 1e18]: squares of components that the device may flush as denormal are below u |v|^2
 //   returns v / |v|; NaN for zero, which is outside the domain
 // Error: | |n| - 1 | <= 6 u with the 2 ulp that Vulkan allows inversesqrt (kernel test FastNormalize).
 vec3 fast_normalize(vec3 v) { return v * inversesqrt(dot(v, v)); }

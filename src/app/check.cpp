@@ -2,7 +2,7 @@
 #include "app/commands.h"
 
 #include "plan/complete.h"
-#include "scene/load.h"
+#include "scene/check.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,24 +16,25 @@ struct CheckArguments {
     bool allow_outside = false;
 };
 
-// Those of the file, and those that would keep it from being rendered as it is (a camera without direction).
-Problems problems_of(const std::string& file, const LoadOptions& options) {
+// Problems of the file, and of what would keep it from being rendered as it is (a camera without direction).
+std::vector<std::string> lines_of(const std::string& file, const LoadOptions& options) {
     Loaded loaded = load_scene(file, options);
-    return loaded.scene ? complete(*loaded.scene, {}).problems : loaded.problems;
+    if (loaded.scene) loaded.problems = complete(*loaded.scene, {}).problems;
+    return problem_lines(loaded, file);
 }
 
-bool check_file(const std::string& file, const LoadOptions& options) {
-    const Problems problems = problems_of(file, options);
-    for (const Problem& problem : problems) fmt::print("{}\n", to_string(problem));
-    fmt::print("{} problem{} in {}\n", problems.size(), problems.size() == 1 ? "" : "s", file);
-    return problems.empty();
+bool check_one(const std::string& file, const LoadOptions& options) {
+    const std::vector<std::string> lines = lines_of(file, options);
+    for (const std::string& line : lines) fmt::print("{}\n", line);
+    if (lines.empty()) fmt::print("0 problems in {}\n", file);
+    return lines.empty();
 }
 
 bool check(const CheckArguments& arguments) {
     LoadOptions options;
     options.allow_outside = arguments.allow_outside;
     bool good = true;
-    for (const std::string& file : arguments.files) good = check_file(file, options) && good;
+    for (const std::string& file : arguments.files) good = check_one(file, options) && good;
     return good;
 }
 

@@ -21,8 +21,8 @@ int fail(int code, const std::string& sentence) {
     return code;
 }
 
-int print_problems(const Problems& problems) {
-    for (const Problem& problem : problems) fmt::print(stderr, "{}\n", to_string(problem));
+int print_lines(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) fmt::print(stderr, "{}\n", line);
     return kUser;
 }
 
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     try {
         return parse_and_run(argc, argv);
     } catch (const UserError& error) {
-        return print_problems(error.problems);
+        return print_lines(error.lines);
     } catch (const FileError& error) {
         return fail(error.blame == FileError::Blame::Input ? kUser : kEnvironment, error.what());
     } catch (const gpu::EnvironmentError& error) {

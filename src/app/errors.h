@@ -5,13 +5,17 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace lightbench {
 
-// Exit code 2; every problem is printed on a line of its own.
+// Exit code 2; every line is printed to standard error.
 struct UserError : std::runtime_error {
-    Problems problems;
-    explicit UserError(Problems all) : std::runtime_error("problems of the user's input"), problems(std::move(all)) {}
+    std::vector<std::string> lines;
+    explicit UserError(std::vector<std::string> all) : std::runtime_error("problems of the user's input"), lines(std::move(all)) {}
+    explicit UserError(const Problems& problems) : UserError(std::vector<std::string>()) {
+        for (const Problem& problem : problems) lines.push_back(to_string(problem));
+    }
     UserError(std::string where, std::string text) : UserError(Problems{{std::move(where), 0, 0, std::move(text)}}) {}
 };
 

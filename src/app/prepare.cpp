@@ -2,7 +2,7 @@
 
 #include "app/errors.h"
 #include "render/render.h"
-#include "scene/load.h"
+#include "scene/check.h"
 
 namespace lightbench {
 
@@ -10,7 +10,7 @@ Scene load_or_throw(const std::filesystem::path& file, bool allow_outside) {
     LoadOptions options;
     options.allow_outside = allow_outside;
     Loaded loaded = load_scene(file, options);
-    if (!loaded.scene) throw UserError(std::move(loaded.problems));
+    if (!loaded.scene) throw UserError(problem_lines(loaded, file));
     return std::move(*loaded.scene);
 }
 

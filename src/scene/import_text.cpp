@@ -94,7 +94,7 @@ std::optional<std::string_view> LineReader::next() {
     if (rest.empty()) return {};
     line = lines_taken + 1, start = bytes_taken;
     std::string_view text = take();
-    if (!joins || !text.ends_with('\\')) return text;
+    if (!joins || !text.ends_with('\\') || trimmed(text).starts_with('#')) return text; // comments end in paths of other systems
     joined.clear();
     while (text.ends_with('\\')) {
         joined.append(text.substr(0, text.size() - 1)).push_back(' ');

@@ -30,7 +30,8 @@ std::string_view next_word(std::string_view& rest);
 // A name as Scene keeps it: valid UTF-8 without control characters; anything else becomes '?'.
 std::string clean_name(std::string_view name);
 
-// One logical line after the other: the ends LF, CR LF and CR; a backslash before the end joins two lines if `joins`.
+// One logical line after the other: the ends LF, CR LF and CR; a backslash before the end joins two lines if `joins`,
+// but never to a comment.
 struct LineReader {
     std::string_view rest;
     bool joins = false;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <initializer_list>
 #include <set>
+#include <span>
 
 namespace lightbench::importer {
 
@@ -150,12 +151,22 @@ bool check_line(Scan& scan, std::string_view keyword, std::string_view rest) {
     return true;
 }
 
-// Assimp wants the keyword in the first column.
-void move_to_front(char* line, const std::string& keyword) {
-    std::size_t indent = 0;
-    while (line[indent] != keyword[0]) ++indent;
-    std::fill_n(line, indent + keyword.size(), ' ');
-    std::copy(keyword.begin(), keyword.end(), line);
+// What Assimp shall see of a line: nothing of what is not geometry; of the rest one line with the keyword in its first column, without
+// continuations, tabs and comments (a material's name may hold #).
+void rewrite(std::span<char> line, const std::string& keyword, bool geometry) {
+    while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line = line.first(line.size() - 1);
+    if (!geometry) {
+        std::fill(line.begin(), line.end(), ' ');
+        line[0] = '#';
+        return;
+    }
+    const std::string_view blanks = keyword == "usemtl" ? "\\\r\n" : "\\\r\n\t\v\f";
+    std::replace_if(
+        line.begin(), line.end(), [&](char c) { return blanks.find(c) != blanks.npos; }, ' ');
+    if (keyword != "usemtl") std::fill(std::find(line.begin(), line.end(), '#'), line.end(), ' ');
+    const auto indent = std::find_if(line.begin(), line.end(), [](char c) { return c != ' ' && c != '\t' && c != '\v' && c != '\f'; });
+    std::fill_n(indent, keyword.size(), ' ');
+    std::copy(keyword.begin(), keyword.end(), line.begin());
 }
 
 void finish(Scan& scan) {
@@ -200,13 +211,10 @@ ObjContents check_obj(std::string& text, Report& report) {
             report.problem_at(scan.line, "holds a zero byte; OBJ is text in ASCII or UTF-8");
             return scan.contents;
         }
-        const std::string_view keyword = next_word(*line);
+        const std::string keyword(next_word(*line));
         if (keyword.empty()) continue;
-        char* start = text.data() + lines.start;
-        if (keyword[0] == '#' || !check_line(scan, keyword, *line))
-            *start = '#';
-        else if (*start != keyword[0])
-            move_to_front(start, std::string(keyword));
+        const bool geometry = keyword[0] != '#' && check_line(scan, keyword, *line);
+        rewrite(std::span(text).subspan(lines.start, lines.bytes_taken - lines.start), keyword, geometry);
     }
     finish(scan);
     return scan.contents;

@@ -13,9 +13,9 @@ constexpr Rule kSlope{0, kLargestFloat, true, false, "it is the rms slope of the
 constexpr Rule kAnyFloat{-kLargestFloat, kLargestFloat, false, false, "it must lie between -3.4e38 and 3.4e38"};
 
 // A name is needed, for objects refer to it; where it is wrong the rest is read all the same, for its problems.
-std::string read_name(TomlLoad& load, Section& s) {
+std::string material_name(TomlLoad& load, Section& s) {
     std::string name;
-    const bool given = read(s, "name", name);
+    const bool given = read_name(s, "name", name);
     if (!s.table->get("name")) fault(s, s.table->source(), "name is missing; objects refer to it");
     if (!given) return name;
     s.who = fmt::format("material {}", in_quotes(name));
@@ -114,7 +114,7 @@ void read_rays(Section& s, Material& m) {
 void read_material(TomlLoad& load, const toml::table& table) {
     Section s = section_of(load, table, "material");
     Material m;
-    m.name = read_name(load, s);
+    m.name = material_name(load, s);
     read_color(s, "diffuse", m.diffuse, kFraction);
     read_highlight(s, m);
     read_rays(s, m);

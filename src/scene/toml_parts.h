@@ -19,7 +19,7 @@ struct Placed {
 };
 
 struct TomlLoad {
-    std::string file;                             // as typed, for messages
+    std::string file; // as typed, for messages
     std::filesystem::path folder;
     LoadOptions options;
     ProblemLog log;

@@ -126,6 +126,20 @@ bool read(Section& section, std::string_view key, std::string& out) {
     return true;
 }
 
+// Names are printed by the plan and by probes: one that could steer the terminal is refused.
+bool read_name(Section& section, std::string_view key, std::string& out) {
+    std::string name;
+    if (!read(section, key, name)) return false;
+    const auto steers = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (std::any_of(name.begin(), name.end(), steers)) {
+        fault(section, *section.table->get(key),
+              fmt::format("the {} {} holds a control character; it must be printable", key, in_quotes(name)));
+        return false;
+    }
+    out = std::move(name);
+    return true;
+}
+
 bool read_whole(Section& section, std::string_view key, unsigned& out, unsigned low, unsigned high) {
     const toml::node* node = find(section, key);
     if (!node) return false;

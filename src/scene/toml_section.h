@@ -49,6 +49,7 @@ bool read(Section& section, std::string_view key, double& out, const Rule& rule)
 bool read(Section& section, std::string_view key, float& out, const Rule& rule);
 bool read(Section& section, std::string_view key, bool& out);
 bool read(Section& section, std::string_view key, std::string& out);
+bool read_name(Section& section, std::string_view key, std::string& out); // a string that can be printed
 bool read_whole(Section& section, std::string_view key, unsigned& out, unsigned low, unsigned high);
 bool read_color(Section& section, std::string_view key, glm::vec3& out, const Rule& rule);   // a number, or [r, g, b]
 bool read_vector(Section& section, std::string_view key, glm::dvec3& out, const Rule& rule); // [x, y, z]

@@ -36,7 +36,7 @@ void check_view(const Section& s, const Camera& camera) {
 
 std::string camera_name(TomlLoad& load, Section& s) {
     std::string name;
-    if (!read(s, "name", name)) return fmt::format("camera {}", load.scene.cameras.size() + 1);
+    if (!read_name(s, "name", name)) return fmt::format("camera {}", load.scene.cameras.size() + 1);
     s.who = fmt::format("camera {}", in_quotes(name));
     for (const Camera& other : load.scene.cameras)
         if (other.name == name) fault(s, *s.table->get("name"), "another camera has this name; names must differ");

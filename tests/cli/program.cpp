@@ -51,8 +51,12 @@ namespace {
 
 std::string quoted(const std::string& text) {
     std::string out = "'";
-    for (char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
+    for (char c : text) {
+        if (c == '\'') out += "'\\'";
+        out += c;
+    }
+    out += '\'';
+    return out;
 }
 
 fs::path fresh_folder() {

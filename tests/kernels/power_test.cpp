@@ -47,8 +47,10 @@ TEST_F(Kernel, LogOneMinus) {
         using std::log1p;
         return log1p(-in[0]);
     });
-    const Bound bound = Bound::function(
-        [](std::span<const float> in, double expected) { return (in[0] < 0.01f ? 1.1 : 2.5) * kU * std::abs(expected) + 1e-45; });
+    const Bound bound = Bound::function([](std::span<const float> in, double expected) {
+        const double flushed = in[0] < 0x1p-126f ? 0x1p-126 : 0; // denormal s counts as 0 on some devices
+        return (in[0] < 0.01f ? 1.1 : 2.5) * kU * std::abs(expected) + flushed;
+    });
     for (unsigned seed : seeds()) {
         const Inputs in = random_axis(seed, 0, 0.99999994, false) + random_axis(seed, 1e-37, 0.99999994, true) + turns_of_s();
         expect_within(run_kernel(device, "log_one_minus", in), log_oracle, bound);

@@ -180,8 +180,11 @@ TEST(LoadTomlProblems, Materials) {
         {"[[material]]\nname = \"a\"\ntexture = {file = \"x.png\", checker = true}\n",
          "room.toml:3:19: material \"a\": texture: file \"x.png\": there is no such file\n"
          "room.toml:3:11: material \"a\": texture: both file and checker; give one of them"},
-        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n", "room.toml:3:6: material \"a\\x1b[2J\\x0a\": f0 is 1; it must be at least 0 "
-                                                              "and less than 1 (the index of refraction is infinite there)"},
+        {"[[material]]\nname = \"a\\u001b[2J\\n\"\nf0 = 1\n",
+         "room.toml:2:8: material: the name \"a\\x1b[2J\\x0a\" holds a control character; it must be printable\n"
+         "room.toml:3:6: material: f0 is 1; it must be at least 0 "
+         "and less than 1 (the index of refraction is infinite there)"},
+        {"[camera]\nname = \"\\u007f\"\n", "room.toml:2:8: camera: the name \"\\x7f\" holds a control character; it must be printable"},
     });
 }
 
