@@ -36,12 +36,20 @@ vec3 shade_fragment() {
     return shade(s, read_material(material));
 }
 
-vec3 choose_side(vec3 front, vec3 back) { return wants(EFFECT_TWO_SIDED) && !gl_FrontFacing ? back : front; }
-
 void main() {
-    if (kOutput == OUTPUT_DEPTH) color = vec4(vec3(1.0 / gl_FragCoord.w), 1.0);
-    else if (kOutput == OUTPUT_OBJECT) color = vec4(vec3(float(object + 1u)), 1.0);
-    else if (kShading == SHADING_FLAT) color = vec4(choose_side(flat_front, flat_back), 1.0);
-    else if (kShading == SHADING_GOURAUD) color = vec4(choose_side(front_color, back_color), 1.0);
-    else color = vec4(shade_fragment(), 1.0);
+    color.a = 1.0;
+    bool back = wants(EFFECT_TWO_SIDED) && !gl_FrontFacing;
+    if (kOutput == OUTPUT_DEPTH) {
+        color.rgb = vec3(1.0 / gl_FragCoord.w);
+    } else if (kOutput == OUTPUT_OBJECT) {
+        color.rgb = vec3(float(object + 1u));
+    } else if (kShading == SHADING_FLAT) {
+        color.rgb = flat_front;
+        if (wants(EFFECT_TWO_SIDED)) color.rgb = back ? flat_back : flat_front;
+    } else if (kShading == SHADING_GOURAUD) {
+        color.rgb = front_color;
+        if (wants(EFFECT_TWO_SIDED)) color.rgb = back ? back_color : front_color;
+    } else {
+        color.rgb = shade_fragment();
+    }
 }

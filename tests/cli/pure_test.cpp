@@ -49,12 +49,12 @@ TEST_F(Cli, PlanRefusesWhatOnlyARunHas) {
 }
 
 TEST_F(Cli, CheckPrintsEveryProblemAndFails) {
-    const std::string good = scene(kBall), bad = scene("[camera]\nfov = 200\n[[object]]\nradious = 2\n", "room.toml");
+    const std::string good = scene(kBall), bad = scene("[camera]\nfov = 200\n[[object]]\nshape = \"sphere\"\nradious = 2\n", "room.toml");
     const Ran ran = run({"check", good, bad}, kNoDriver);
     EXPECT_EQ(ran.code, 1);
     EXPECT_THAT(ran.out, HasSubstr("0 problems in " + good + "\n"));
     EXPECT_THAT(ran.out, HasSubstr("room.toml:2:"));
-    EXPECT_THAT(ran.out, HasSubstr("room.toml:4:"));
+    EXPECT_THAT(ran.out, HasSubstr("room.toml:5:"));
     EXPECT_THAT(ran.out, HasSubstr(" problems in " + bad + "\n"));
     EXPECT_THAT(ran.err, IsEmpty());
     EXPECT_EQ(run({"check", good}).code, 0);
@@ -119,7 +119,7 @@ TEST_F(Cli, MakeListsItsKinds) {
     EXPECT_EQ(ran.code, 0);
     for (const char* kind :
          {"sphereflake", "primitives", "cornell-box", "corrugated", "highlight", "mach-band", "spheres", "mirrors", "room"})
-        EXPECT_THAT(ran.out, HasSubstr("\n" + std::string(kind) + " ")) << kind;
+        EXPECT_THAT("\n" + ran.out, HasSubstr("\n" + std::string(kind) + " ")) << kind;
     EXPECT_THAT(ran.out, HasSubstr("  depth "));
 }
 

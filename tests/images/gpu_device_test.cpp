@@ -43,7 +43,7 @@ TEST(GpuDeviceErrors, NoDriver) {
 }
 
 TEST(GpuDeviceErrors, ValidationWithoutLayers) {
-    const Environment none("VK_LAYER_PATH", "/nonexistent");
+    const Environment none("VK_LAYER_PATH", "/nonexistent"), not_asked("LIGHTBENCH_VALIDATION", "0");
     EXPECT_THAT([] { Device::open({.choice = "", .validation = true}); },
                 throws_environment_error(HasSubstr("VK_LAYER_KHRONOS_validation is not installed")));
     EXPECT_NO_THROW(Device::open());

@@ -138,6 +138,17 @@ TEST(Metamorphic, OppositeNormalsLeaveNoHole) {
     EXPECT_EQ(r.output.non_finite, 0u);
 }
 
+// Closed shapes alone: no variant of the shaders may then speak of back sides.
+TEST(Metamorphic, OneSidedScenesRender) {
+    Scene scene = mixed_scene();
+    scene.objects.erase(scene.objects.begin()); // the floor
+    for (const Shading shading : kAll) {
+        const Rendered r = render_scene(scene, radiance_request(shading));
+        EXPECT_EQ(r.geometry.one_sided_clusters, r.geometry.clusters.size());
+        EXPECT_GT(pixel(*r.output.radiance, 32, 24).z, 0.05);
+    }
+}
+
 TEST(Metamorphic, RunsAreIdentical) {
     const auto want = render_scene(mixed_scene(), radiance_request(Shading::phong)).output.radiance->rgba;
     for (int i = 0; i < 3; ++i) EXPECT_EQ(render_scene(mixed_scene(), radiance_request(Shading::phong)).output.radiance->rgba, want);
