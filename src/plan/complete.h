@@ -9,13 +9,13 @@ namespace lightbench {
 
 // Everything about the camera that the passes need, in double; world space and the frame.
 struct View {
-    glm::dvec3 eye{0};                 // world
-    glm::dmat4 view_from_world{1};     // rigid
-    glm::dmat4 clip_from_view{1};      // reversed z, infinite far plane, y down in clip space as Vulkan has it
-    double near = 0;                   // metres
-    double fov = 0;                    // radians, vertical
-    glm::uvec2 size{0};                // pixels
-    double pixel_angle() const;        // radians that a pixel spans at the image's centre
+    glm::dvec3 eye{0};             // world
+    glm::dmat4 view_from_world{1}; // rigid
+    glm::dmat4 clip_from_view{1};  // reversed z, infinite far plane, y down in clip space as Vulkan has it
+    double near = 0;               // metres
+    double fov = 0;                // radians, vertical
+    glm::uvec2 size{0};            // pixels
+    double pixel_angle() const;    // radians that a pixel spans at the image's centre
     // clip_from_frame = clip_from_view * view_from_world * world_from_frame, composed in double with the eye as the pivot, then rounded.
     glm::mat4 clip_from_frame(const Frame& frame, glm::dvec2 shift_pixels = glm::dvec2(0)) const;
     glm::vec3 eye_in_frame(const Frame& frame) const;

@@ -19,20 +19,20 @@ struct GeometryFacts {
 
 struct Facts {
     std::size_t objects = 0, spheres = 0, polygons = 0, boxes = 0, cylinders = 0, cones = 0, tori = 0, mesh_objects = 0, mesh_faces = 0;
-    std::size_t lights = 0, point_lights = 0, directional_lights = 0, spot_lights = 0;          // of intensity > 0
-    std::size_t unattenuated_lights = 0, linear_lights = 0, inverse_square_lights = 0;          // of the positional ones
-    std::size_t materials = 0;                                                                  // that an object uses
-    std::size_t materials_listed = 0;                                                           // that the scene has
+    std::size_t lights = 0, point_lights = 0, directional_lights = 0, spot_lights = 0; // of intensity > 0
+    std::size_t unattenuated_lights = 0, linear_lights = 0, inverse_square_lights = 0; // of the positional ones
+    std::size_t materials = 0;                                                         // that an object uses
+    std::size_t materials_listed = 0;                                                  // that the scene has
     std::size_t diffuse_materials = 0, specular_materials = 0, emissive_materials = 0;
     std::size_t cook_torrance_materials = 0, textured_materials = 0, bumped_materials = 0, environment_materials = 0;
-    std::size_t translucent_materials = 0;                                                      // opacity < 1 in a channel (S13)
+    std::size_t translucent_materials = 0; // opacity < 1 in a channel (S13)
     std::size_t transmissive_materials = 0, reflective_materials = 0, scattering_materials = 0, dispersive_materials = 0;
-    std::size_t mirror_materials = 0;                                                           // that name a reflection > 0; the others reflect ks
-    std::size_t fresnel_materials = 0;                                                          // Fresnel split of reflection and transmission
-    std::size_t two_sided_objects = 0;                                                          // some face is seen from behind
+    std::size_t mirror_materials = 0;  // that name a reflection > 0; the others reflect ks
+    std::size_t fresnel_materials = 0; // Fresnel split of reflection and transmission
+    std::size_t two_sided_objects = 0; // some face is seen from behind
     bool ambient = false, background = false, environment_map = false, camera = false, film = false;
-    bool own_normals = false;                                                                   // some mesh or polygon came with normals
-    std::optional<GeometryFacts> geometry;                                                      // once tessellated
+    bool own_normals = false;              // some mesh or polygon came with normals
+    std::optional<GeometryFacts> geometry; // once tessellated
 };
 
 Facts gather_facts(const Scene& scene);

@@ -19,13 +19,14 @@ struct Line {
 
 // Resources and passes are named; the names are the plan's vocabulary, and the GPU objects' debug names.
 struct Resource {
-    std::string name;       // "lights", "materials", "vertices", "normals", "polygons", "vertex-colors", "polygon-colors", "depth", "radiance", ...
-    std::size_t bytes = 0;  // 0: depends on the tessellation (vertices, indices and what is sized by them)
+    std::string
+        name; // "lights", "materials", "vertices", "normals", "polygons", "vertex-colors", "polygon-colors", "depth", "radiance", ...
+    std::size_t bytes = 0; // 0: depends on the tessellation (vertices, indices and what is sized by them)
     std::string reason;
 };
 
 struct Pass {
-    std::string name;       // "shade-polygons", "shade-vertices", "raster", "accumulate", "display", "term-..."
+    std::string name; // "shade-polygons", "shade-vertices", "raster", "accumulate", "display", "term-..."
     std::string reason;
     std::vector<std::string> reads, writes;
 };
@@ -35,29 +36,30 @@ struct Plan {
     Shading shading = Shading::phong;
     Output output = Output::pixels;
     glm::uvec2 size{1280, 720};
-    Rect crop{};                      // the whole image if none was asked for
+    Rect crop{}; // the whole image if none was asked for
     float exposure = 0;
-    std::uint32_t effects = 0;        // EFFECT_... bits (shaders/shared/effects.h)
-    unsigned multisamples = 1;        // 1 or 4, per drawn frame
-    unsigned frames = 1;              // shifted frames that are averaged
-    bool jittered = false;            // their shifts are jittered, else a regular grid
+    std::uint32_t effects = 0; // EFFECT_... bits (shaders/shared/effects.h)
+    unsigned multisamples = 1; // 1 or 4, per drawn frame
+    unsigned frames = 1;       // shifted frames that are averaged
+    bool jittered = false;     // their shifts are jittered, else a regular grid
     std::uint32_t seed = 0;
     unsigned subdivide = 0;
-    std::uint32_t light_count = 0;    // constant in the pipelines if 1 to kFewLights; 0: read at run time
-    std::size_t lights = 0;           // of the scene
-    std::optional<std::size_t> triangles;  // once tessellated
-    std::size_t light_passes = 1;     // the lights are summed in this many bounded pieces
-    std::vector<std::string> terms;   // layers besides the image: "ambient", "diffuse", "specular", "emission", "background", "attenuation", "normal", "depth", "object"
-    std::vector<Line> wanted;         // effects that run
-    std::vector<Line> skipped;        // effects that do not
-    std::vector<Line> fallbacks;      // what was put in place of what was missing or cannot be done: camera, light, transmission ...
+    std::uint32_t light_count = 0;        // constant in the pipelines if 1 to kFewLights; 0: read at run time
+    std::size_t lights = 0;               // of the scene
+    std::optional<std::size_t> triangles; // once tessellated
+    std::size_t light_passes = 1;         // the lights are summed in this many bounded pieces
+    std::vector<std::string>
+        terms; // layers besides the image: "ambient", "diffuse", "specular", "emission", "background", "attenuation", "normal", "depth", "object"
+    std::vector<Line> wanted;    // effects that run
+    std::vector<Line> skipped;   // effects that do not
+    std::vector<Line> fallbacks; // what was put in place of what was missing or cannot be done: camera, light, transmission ...
     std::vector<Pass> passes;
     std::vector<Resource> resources;
     bool runs(std::string_view pass) const;
     bool has(std::string_view resource) const;
 };
 
-constexpr std::uint32_t kFewLights = 8;           // up to here the loop over lights has a constant end
+constexpr std::uint32_t kFewLights = 8; // up to here the loop over lights has a constant end
 // One SIMD group of lavapipe has 65 535 loop iterations in all; half of them leaves room for the other loops of the shader.
 constexpr std::size_t kLightsPerPass = 32768;
 

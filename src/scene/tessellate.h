@@ -13,9 +13,9 @@ namespace lightbench {
 // Geometry is handed on in the *frame*: p_frame = scale * (p_world - origin), scale a power of two that brings the scene's radius into [1, 2).
 // So a scene 1e5 metres from the origin loses nothing (SC-2), and one of 1e-6 metres renders the same bits as one of 1e6 (SC-1).
 struct Frame {
-    glm::dvec3 origin{0};  // metres, centre of the scene's bounding box
-    double scale = 1;      // frame units per metre, 2^k
-    double radius = 1;     // frame units, of the sphere about the origin that holds every object
+    glm::dvec3 origin{0}; // metres, centre of the scene's bounding box
+    double scale = 1;     // frame units per metre, 2^k
+    double radius = 1;    // frame units, of the sphere about the origin that holds every object
     glm::dvec3 from_world(const glm::dvec3& p) const { return scale * (p - origin); }
 };
 
@@ -31,24 +31,24 @@ Frame frame_of(const Bounds& bounds);
 
 // How fine: curved primitives are cut until the chord is nearer to the surface than `pixels` as seen from `eye`.
 struct TessellationRequest {
-    glm::dvec3 eye{0};             // world
-    double pixel_angle = 1e-3;     // radians that one pixel spans at the image's centre
-    double pixels = 0.25;          // chordal error allowed, in pixels
-    unsigned subdivide = 0;        // refinement levels for all objects (each quarters every triangle), 0 to 8
-    bool normals = true;           // false (flat shading, depth only): vertices need no normals and are shared across creases
-    bool polygons = true;          // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
+    glm::dvec3 eye{0};         // world
+    double pixel_angle = 1e-3; // radians that one pixel spans at the image's centre
+    double pixels = 0.25;      // chordal error allowed, in pixels
+    unsigned subdivide = 0;    // refinement levels for all objects (each quarters every triangle), 0 to 8
+    bool normals = true;       // false (flat shading, depth only): vertices need no normals and are shared across creases
+    bool polygons = true;      // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
 };
 
 // A run of triangles that are near each other: the unit of culling.
 struct Cluster {
-    std::uint32_t first_index = 0, index_count = 0;  // into RasterGeometry::indices
-    glm::vec3 center{0};                             // frame
+    std::uint32_t first_index = 0, index_count = 0; // into RasterGeometry::indices
+    glm::vec3 center{0};                            // frame
     float radius = 0;
     // Every triangle faces away from `eye` if dot(center - eye, cone_axis) >= cone_cutoff * length(center - eye) + radius. The cutoff is
     // the sine of the half-angle of the cone about cone_axis that holds every face normal, rounded up; 1: cannot be culled by direction.
-    glm::vec3 cone_axis{0};                          // unit, or 0 with a cutoff of 1
+    glm::vec3 cone_axis{0}; // unit, or 0 with a cutoff of 1
     float cone_cutoff = 1;
-    bool two_sided = false;                          // drawn from both sides: never culled by direction
+    bool two_sided = false; // drawn from both sides: never culled by direction
 };
 
 // Streams of points to shade or draw: one PointPosition and one PointNormal each (shaders/shared/layouts.h), index by index.
@@ -59,16 +59,16 @@ struct PointStreams {
 
 struct RasterGeometry {
     Frame frame;
-    PointStreams vertices;                       // vertices.normals is empty if TessellationRequest::normals is false
-    std::vector<std::uint32_t> indices;          // 3 a triangle; the FIRST vertex of a triangle is its provoking one, and carries its polygon
-    PointStreams polygons;                       // one a polygon: its centre (mean of its vertices), its face normal, its material; empty
-                                                 // if TessellationRequest::polygons is false
-    std::vector<std::uint32_t> polygon_objects;  // object number of each polygon
-    std::vector<Cluster> clusters;               // one-sided clusters first
-    std::size_t one_sided_clusters = 0;          // clusters[0 .. one_sided_clusters) are culled from behind
-    std::size_t dropped_degenerate = 0;          // polygons without area, left out (NI-3)
-    std::size_t faces_two_sided = 0;             // polygons visible from both sides
-    bool normals_may_vanish = false;             // a triangle has file-given normals that do not all lie on one side of its face (NI-1)
+    PointStreams vertices;              // vertices.normals is empty if TessellationRequest::normals is false
+    std::vector<std::uint32_t> indices; // 3 a triangle; the FIRST vertex of a triangle is its provoking one, and carries its polygon
+    PointStreams polygons;              // one a polygon: its centre (mean of its vertices), its face normal, its material; empty
+                                        // if TessellationRequest::polygons is false
+    std::vector<std::uint32_t> polygon_objects; // object number of each polygon
+    std::vector<Cluster> clusters;              // one-sided clusters first
+    std::size_t one_sided_clusters = 0;         // clusters[0 .. one_sided_clusters) are culled from behind
+    std::size_t dropped_degenerate = 0;         // polygons without area, left out (NI-3)
+    std::size_t faces_two_sided = 0;            // polygons visible from both sides
+    bool normals_may_vanish = false;            // a triangle has file-given normals that do not all lie on one side of its face (NI-1)
 };
 
 // Tessellates every object. `two_sided` of a material decides culling; where it is absent a shape is one-sided iff it is closed and outward.
