@@ -6,7 +6,7 @@
 #define LIGHTBENCH_LIB_ATTENUATION
 
 // Linear law, 1 / (d + d0).
-// Foley, van Dam, Feiner, Hughes 1990, "Computer Graphics", sec. 16.1.2 (1 / (c1 + c2 d) there): softer than the law of nature, finite at d = 0.
+// Foley, van Dam, Feiner, Hughes 1990, "Computer Graphics", sec. 16.1.2 (1 / (c1 + c2 d)): softer than the law of nature, finite at d = 0.
 //   d   distance to the light, >= 0        d0  offset, > 0 (0 is taken, and clamped)
 // Error: relative 4 u for d + d0 in [1e-18, 1e18] (kernel test AttenuationLinear); beyond 1e38 the factor may be flushed to 0.
 float attenuation_linear(float d, float d0) {
