@@ -97,7 +97,7 @@ struct Curator {
 Scene scene_of(const ExhibitRow& row, const ShotRow& shot) {
     if (row.kind == nullptr) return load_or_throw(find_assets() / "scenes/default.toml");
     auto made = make_scene(row.kind, shot.arguments);
-    if (auto* problems = std::get_if<Problems>(&made)) throw UserError(std::move(*problems));
+    if (auto* problems = std::get_if<Problems>(&made)) throw UserError(*problems);
     return std::get<Scene>(std::move(made));
 }
 

@@ -46,11 +46,11 @@ void make(const KindArguments& arguments) {
     if (arguments.kind.empty()) problems.push_back({"make", 0, 0, "KIND is missing; make --list names them"});
     if (arguments.output.empty()) problems.push_back({"make", 0, 0, "-o FILE is missing"});
     const MakeArguments parameters = split_parameters(arguments.parameters, problems);
-    if (!problems.empty()) throw UserError(std::move(problems));
+    if (!problems.empty()) throw UserError(problems);
     auto made = make_scene(arguments.kind, parameters);
-    if (auto* found = std::get_if<Problems>(&made)) throw UserError(std::move(*found));
+    if (auto* found = std::get_if<Problems>(&made)) throw UserError(*found);
     Problems unwritable = write_scene(std::get<Scene>(made), arguments.output);
-    if (!unwritable.empty()) throw UserError(std::move(unwritable));
+    if (!unwritable.empty()) throw UserError(unwritable);
 }
 
 } // namespace

@@ -22,7 +22,7 @@ void plan(const PlanArguments& arguments) {
     SceneOptions options = parse_scene_options(arguments.given, problems);
     if (options.frames) problems.push_back({"--frames", 0, 0, "a plan is made for one frame; --frame N chooses it"});
     if (!options.stats.empty()) problems.push_back({"--stats", 0, 0, "there is no run to tell of; --json prints the plan"});
-    if (!problems.empty()) throw UserError(std::move(problems));
+    if (!problems.empty()) throw UserError(problems);
     if (options.request.terms) options.request.output = Output::radiance; // layers exist in .exr files only
     Scene scene = load_or_throw(options.scene, options.allow_outside);
     const Prepared prepared = prepare(scene, options.request);

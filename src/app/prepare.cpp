@@ -16,7 +16,7 @@ Scene load_or_throw(const std::filesystem::path& file, bool allow_outside) {
 
 Prepared prepare(Scene& scene, Request request) {
     CompleteResult result = complete(scene, request);
-    if (!result.completed) throw UserError(std::move(result.problems));
+    if (!result.completed) throw UserError(result.problems);
     const View view = result.completed->view;
     request.size = view.size;
     Facts facts = gather_facts(scene);

@@ -33,7 +33,7 @@ SceneOptions check_arguments(const RenderArguments& arguments) {
         problems.push_back({"--terms", 0, 0, fmt::format("layers need an .exr; -o names {}", arguments.output)});
     if (several && !options.stats.empty() && options.stats != "-" && frame_path(options.stats, 0) == options.stats)
         problems.push_back({"--stats", 0, 0, fmt::format("\"{}\" must hold %04d, or be -, if there are several frames", options.stats)});
-    if (!problems.empty()) throw UserError(std::move(problems));
+    if (!problems.empty()) throw UserError(problems);
     return options;
 }
 
