@@ -101,6 +101,8 @@ TEST(Analytic, LightsBeyondOnePassAddUp) {
     const Rendered r = render_scene(scene, radiance_request(Shading::phong, {16, 12}));
     EXPECT_EQ(r.plan.light_passes, 2u);
     expect_closed_form(scene, r);
+    // A driver that had ended a loop early would have left NaN; the plane's vertices are shaded for both sides.
+    EXPECT_EQ(render_scene(scene, radiance_request(Shading::gouraud, {16, 12})).output.non_finite, 0u);
 }
 
 TEST(Analytic, FlatTakesTheValueAtTheCentreOfThePolygon) {
