@@ -63,7 +63,7 @@ TEST(PlanExplain, JsonHoldsTheSame) {
 // Names of files may hold any bytes.
 TEST(PlanExplain, JsonSurvivesBrokenText) {
     const Plan plan = decide({}, {}, {{"file", "\xff\xfe \"quoted\" \n"}});
-    EXPECT_NO_THROW((void)nlohmann::json::parse(explain_json(plan)));
+    EXPECT_TRUE(nlohmann::json::accept(explain_json(plan)));
 }
 
 } // namespace
