@@ -29,6 +29,7 @@ struct DeviceInfo {
     std::uint32_t max_push_bytes = 0;
     std::uint32_t max_image_side = 0;     // pixels
     std::uint32_t max_group_count = 0;    // work groups along x
+    std::uint32_t subpixel_bits = 0;      // the rasteriser moves a vertex to the nearest 2^-bits of a pixel
     std::uint64_t heap_bytes = 0;         // sum of the device-local heaps
     vk::SampleCountFlags sample_counts{}; // that colour and depth attachments both have
 };

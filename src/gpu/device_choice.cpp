@@ -45,6 +45,7 @@ DeviceInfo read_info(const vk::raii::PhysicalDevice& physical, const Properties&
             .max_push_bytes = p.limits.maxPushConstantsSize,
             .max_image_side = std::min(p.limits.maxImageDimension2D, p.limits.maxFramebufferWidth),
             .max_group_count = p.limits.maxComputeWorkGroupCount[0],
+            .subpixel_bits = p.limits.subPixelPrecisionBits,
             .heap_bytes = device_local_bytes(physical.getMemoryProperties()),
             .sample_counts = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts};
 }
