@@ -70,8 +70,17 @@ const std::vector<ExhibitRow>& exhibit_rows() {
         {"The crease",
          "Left: normals averaged over every edge, which smears shading across corners. Right: edges sharper than 30 degrees stay edges.",
          "crease",
+         3,
+         {{"flat", "crease-flat", flat},
+          {"Gouraud", "crease-gouraud", gouraud},
+          {"Phong", "crease-phong", phong},
+          {"Phong, edges kept on both sides: the cure", "crease-kept", phong, {{"left", "30"}}}}},
+        {"The quad",
+         "Four corner intensities do not say what lies between them. Split along its bright diagonal (left), along its dark one (middle), "
+         "interpolated along scan lines (right), as Gouraud did in 1971: that one changes when the quad is turned, the triangles do not.",
+         "quads",
          -1,
-         {{"flat", "crease-flat", flat}, {"Gouraud", "crease-gouraud", gouraud}, {"Phong", "crease-phong", phong}}},
+         {{"Gouraud", "quads-gouraud", gouraud}, {"Gouraud, turned by 30 degrees", "quads-turned", gouraud, {{"turn", "30"}}}}},
         {"Mach bands",
          "Intensity that is linear between vertices has kinks at them, and the eye draws a line at each. Phong bends instead of kinking; "
          "more facets "

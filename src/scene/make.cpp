@@ -31,8 +31,9 @@ constexpr MakeParameter kHighlight[] = {
     {"subdivide", 0, 0, 8, true, "times the triangle is quartered; 0: the highlight is lost, 4: it is back"},
     {"shininess", 60, 1, 1000, false, "Phong exponent"}};
 constexpr MakeParameter kMachBand[] = {{"facets", 8, 3, 1000, true, "facets of the half cylinder"}};
-constexpr MakeParameter kCrease[] = {
-    {"crease", 30, 0, 180, false, "degrees, crease angle of the objects on the right; those on the left are smoothed over every edge"}};
+constexpr MakeParameter kCrease[] = {{"crease", 30, 0, 180, false, "degrees, crease angle of the objects on the right"},
+                                     {"left", 180, 0, 180, false, "degrees, of those on the left; 180 smooths over every edge"}};
+constexpr MakeParameter kQuads[] = {{"turn", 0, 0, 90, false, "degrees, by which each quad is turned"}};
 constexpr MakeParameter kSpheres[] = {
     {"n", 1000, 1, kSpheresMax, true, "spheres in a cubic grid", "a scene holds at most 4 194 304 objects"}};
 constexpr MakeParameter kMirrors[] = {
@@ -56,6 +57,7 @@ constexpr MakeKind kKinds[] = {
     {"highlight", "a highlight in the middle of one large triangle: Gouraud loses it", kHighlight, make_highlight},
     {"mach-band", "a faceted half cylinder and an intensity ramp: bands at every edge and kink", kMachBand, make_mach_band},
     {"crease", "bodies with sharp edges, smoothed over them (left) and not (right)", kCrease, make_crease},
+    {"quads", "one quad split along either diagonal and along scan lines, for Gouraud shading", kQuads, make_quads},
     {"spheres", "a cubic grid of n spheres", kSpheres, make_spheres},
     {"mirrors", "a corridor between two facing mirrors", kMirrors, make_mirrors},
     {"room", "a closed, diffuse room with a lamp, seen from inside", kRoom, make_room},

@@ -121,7 +121,7 @@ Scene make_crease(const MakeValues& values) {
     add_polygon(scene, {{-20, 0, 20}, {20, 0, 20}, {20, 0, -20}, {-20, 0, -20}}, floor);
     for (const bool right : {false, true}) {
         const double x = right ? 1.7 : -1.7;
-        const auto crease = static_cast<float>(radians_of(right ? values["crease"] : 180));
+        const auto crease = static_cast<float>(radians_of(values[right ? "crease" : "left"]));
         const std::string side = right ? "right" : "left";
         add_mesh(scene, prism("cube-" + side, x - 0.75, 0, 0.75, 0, 1.1, 4, radians_of(20)), clay).crease = crease;
         add_mesh(scene, prism("prism-" + side, x + 0.8, 0.1, 0.55, 0, 1.3, 24, 0), clay).crease = crease;

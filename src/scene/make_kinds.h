@@ -15,6 +15,7 @@ Scene make_corrugated(const MakeValues&);
 Scene make_highlight(const MakeValues&);
 Scene make_mach_band(const MakeValues&);
 Scene make_crease(const MakeValues&);
+Scene make_quads(const MakeValues&);
 Scene make_spheres(const MakeValues&);
 Scene make_mirrors(const MakeValues&);
 Scene make_room(const MakeValues&);

@@ -300,6 +300,31 @@ TEST(Make, CreaseBodiesAreClosedAndFaceOutwards) {
     }
 }
 
+// The intensity of a vertex is the cosine of its normal's tilt: the bars of the third body carry what lies on the outline.
+TEST(Make, ScanLinesOfAQuadFollowItsOutline) {
+    for (const double turn : {0.0, 30.0, 45.0}) {
+        const Scene scene = made("quads", {{"turn", std::to_string(turn)}});
+        ASSERT_EQ(scene.meshes.size(), 3u);
+        const Mesh& split = scene.meshes[0];
+        const Mesh& bars = scene.meshes[2];
+        ASSERT_EQ(split.face_count(), 2u);
+        for (std::size_t v = 0; v + 3 < bars.positions.size(); v += 4) {
+            const glm::dvec2 left = 0.5 * (glm::dvec2(bars.positions[v]) + glm::dvec2(bars.positions[v + 3])) - glm::dvec2(3.2, 0);
+            double nearest = 1e9, intensity = 0;
+            for (std::size_t e = 0; e < 4; ++e) { // the edge of the outline that the end lies on
+                const std::size_t a = e, b = (e + 1) % 4;
+                const glm::dvec2 p = glm::dvec2(split.positions[a]) + glm::dvec2(3.2, 0),
+                                 d = glm::dvec2(split.positions[b]) + glm::dvec2(3.2, 0) - p;
+                const double u = glm::dot(left - p, d) / glm::dot(d, d), away = glm::distance(left, p + u * d);
+                if (u < 0 || u > 1 || away > nearest) continue;
+                nearest = away, intensity = glm::mix(double(split.normals[a].z), double(split.normals[b].z), u);
+            }
+            EXPECT_LT(nearest, 1e-6) << turn << ": bar " << v / 4;
+            EXPECT_NEAR(bars.normals[v].z, intensity, 1e-6) << turn << ": bar " << v / 4;
+        }
+    }
+}
+
 TEST(Make, MeshIsClosedOutwardsAndOfTheSizeAsked) {
     for (const std::size_t k : {1u, 2u, 7u}) {
         const Mesh m = made("mesh", {{"triangles", std::to_string(12 * k * k)}}).meshes.at(0);
