@@ -17,6 +17,21 @@
 #define EFFECT_COMPENSATED_SUM 0x800u           // more lights than a plain float sum adds up within 8 u (LI-6)
 #define EFFECT_MANY_MATERIALS 0x1000u           // otherwise every surface has material 0
 #define EFFECT_VANISHING_NORMALS 0x2000u        // a file's normals may interpolate to zero: the face's normal stands in (NI-1)
+#define EFFECT_GAUSSIAN 0x4000u                 // S6: Cook-Torrance, by distribution
+#define EFFECT_BECKMANN 0x8000u
+#define EFFECT_TEXTURE 0x10000u                 // S10: pictures
+#define EFFECT_CHECKER 0x20000u                 // the texture without a file
+#define EFFECT_MAP_UV 0x40000u                  // which mappings textures and bump pictures have
+#define EFFECT_MAP_SPHERICAL 0x80000u
+#define EFFECT_MAP_CYLINDRICAL 0x100000u
+#define EFFECT_MAP_PLANAR 0x200000u
+#define EFFECT_BUMP_WAVES 0x400000u             // S11
+#define EFFECT_BUMP_NOISE 0x800000u
+#define EFFECT_BUMP_HEIGHT 0x1000000u           // a height image
+#define EFFECT_NORMAL_MAP 0x2000000u
+#define EFFECT_MIRROR_ENVIRONMENT 0x4000000u    // S12: some material mirrors the environment
+#define EFFECT_SIX_FACES 0x8000000u             // the environment is six faces, not one equirectangular picture
+#define EFFECT_TRANSPARENCY 0x10000000u         // S13: some opacity is below 1
 
 // Specialisation constants: constant_id of each.
 #define CONSTANT_EFFECTS 0                      // the mask above
@@ -30,6 +45,8 @@
 #define FETCH_POINTS 0x4u
 #define FETCH_COLORS 0x8u
 #define FETCH_OBJECTS 0x10u
+#define FETCH_TEXELS 0x20u
+#define FETCH_DETAIL 0x40u
 
 #define SHADING_FLAT 0u
 #define SHADING_GOURAUD 1u

@@ -28,16 +28,65 @@ struct PointPosition {
 
 struct PointNormal {
     vec3 normal;       // unit
-    uint material;     // index into materials
+    uint material;     // index into materials (scene/tessellate.h: a surface)
 };
 
+// Of meshes whose pictures are mapped by their own uv.
+struct PointDetail {
+    vec2 uv;
+    uint pad0, pad1;
+    vec3 u_gradient;   // of u along the surface, per frame unit: perpendicular to the normal; 0 where uv has no area
+    uint pad2;
+    vec3 v_gradient;
+    uint pad3;
+};
+
+// A picture among the texels (image/texels.h). width 0: none.
+struct TexelInfo {
+    uint first;        // where its header is, in uvec4s
+    uint width, height;
+    uint flags;        // levels | wrap of u << 8 | wrap of v << 10 | bias << 16: stored values are the picture's times 2^-(bias - 128)
+};
+const uint kWrapRepeat = 0u;
+const uint kWrapClamp = 1u;
+const uint kWrapMirror = 2u;
+
+const uint kMapUv = 0u;
+const uint kMapSpherical = 1u;
+const uint kMapCylindrical = 2u;
+const uint kMapPlanar = 3u;
+const uint kBumpNone = 0u;
+const uint kBumpWaves = 1u;
+const uint kBumpNoise = 2u;
+const uint kBumpHeight = 3u;
+const uint kBumpNormalMap = 4u;
+const uint kModelPhong = 0u;
+const uint kModelGaussian = 1u;    // Cook-Torrance
+const uint kModelBeckmann = 2u;
+const uint kTextureNone = 0u;
+const uint kTexturePicture = 1u;
+const uint kTextureChecker = 2u;
+
+// A material on a surface: those with a mapping in object space are one an object.
 struct Material {
     vec3 diffuse;      // kd
     float shininess;   // n
     vec3 specular;     // ks
-    uint pad1;
+    uint kinds;        // kModel... | kTexture... << 4 | kMap... << 8 | kBump... << 12
     vec3 emission;     // radiance
+    float environment; // weight of environment mapping
+    vec3 ior;          // Cook-Torrance: index of refraction per channel
+    float roughness;   // rms slope m
+    vec3 opacity;      // t
+    float lobe;        // factor of the distribution (scene/distribution.h)
+    TexelInfo texture;
+    TexelInfo bump;
+    vec2 repeats;      // of texture and bump pictures
+    float amplitude;   // of the bump: frame units; of a normal map: its scale
     float pad0;
+    vec3 bump_scale;   // waves and noise: their argument is bump_scale * (mapping-space point), cycles
+    float pad1;
+    vec4 map_x, map_y, map_z; // mapping_from_frame, a row each: the object's box becomes [-1, 1] on each axis; z is the polar axis
 };
 
 struct Light {
@@ -52,7 +101,7 @@ struct Light {
     float pad0, pad1;
 };
 
-// Push constants of shading and drawing: 112 bytes of the 128 that every driver has.
+// Push constants of shading and drawing: the 128 bytes that every driver has.
 struct ShadePush {
     mat4 clip_from_frame;
     vec3 eye;          // frame
@@ -60,7 +109,10 @@ struct ShadePush {
     vec3 ambient;      // Ia
     uint end_light;
     uint point_count;  // compute: points to shade
-    uint pad0, pad1, pad2;
+    uint list_origin;  // transparency: x | y << 16 of the tile whose fragments are listed, pixels
+    uint list_width;   // pixels of the tile along x
+    uint pad0;
+    TexelInfo environment;
 };
 
 struct DisplayPush {
@@ -84,8 +136,8 @@ struct Census {
 
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
-static_assert(sizeof(Material) == 48 && sizeof(Light) == 64);
-static_assert(sizeof(ShadePush) == 112 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
+static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 192 && sizeof(Light) == 64);
+static_assert(sizeof(ShadePush) == 128 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif
 #endif

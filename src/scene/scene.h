@@ -34,6 +34,7 @@ struct Light {
 enum class Model : std::uint32_t { phong, cook_torrance };
 enum class Distribution : std::uint32_t { gaussian, beckmann };
 enum class Mapping : std::uint32_t { uv, spherical, cylindrical, planar };
+enum class Wrap : std::uint32_t { repeat, clamp, mirror };
 enum class BumpFunction : std::uint32_t { none, waves, noise };
 
 // An encoded picture (PNG, JPEG, HDR): a file, or bytes embedded in an imported file. Decoded only when the plan reads it.
@@ -47,6 +48,7 @@ struct Texture {
     std::optional<std::uint32_t> picture; // index into Scene::pictures; none: the checker
     Mapping mapping = Mapping::uv;
     glm::dvec2 scale{1}; // repeats
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
     bool operator==(const Texture&) const = default;
 };
 
@@ -121,8 +123,9 @@ using Shape = std::variant<Sphere, Polygon, Box, Cylinder, Cone, Torus, MeshUse>
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals; // empty, or one a vertex (the file's own: kept), unit
-    std::vector<glm::vec2> uvs;     // empty, or one a vertex
+    std::vector<glm::vec3> normals;  // empty, or one a vertex (the file's own: kept), unit
+    std::vector<glm::vec2> uvs;      // empty, or one a vertex; v grows upwards in the picture (OBJ's way; loaders turn others)
+    std::vector<glm::vec4> tangents; // empty, or one a vertex: unit, the way of u; w the sign of the way of v (glTF's TANGENT)
     std::vector<std::uint32_t> corners;
     std::vector<std::uint32_t> face_starts;    // faces + 1 entries, the first 0
     std::vector<std::uint32_t> face_materials; // empty: the object's material; else one a face, index into Scene::materials

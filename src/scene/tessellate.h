@@ -36,6 +36,7 @@ struct TessellationRequest {
     double pixels = 0.25;      // chordal error allowed, in pixels
     unsigned subdivide = 0;    // refinement levels for all objects (each quarters every triangle), 0 to 8
     bool normals = true;       // false (flat shading, depth only): vertices need no normals and are shared across creases
+    bool detail = false;       // true: meshes with uv get the stream of detail (uv and its gradients)
     bool polygons = true;      // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
 };
 
@@ -55,6 +56,14 @@ struct Cluster {
 struct PointStreams {
     std::vector<gpu_layout::PointPosition> positions;
     std::vector<gpu_layout::PointNormal> normals;
+    std::vector<gpu_layout::PointDetail> detail; // empty, or one a point
+};
+
+// A material as it lies on an object. Where nothing of the material depends on the object, all objects share one surface.
+struct Surface {
+    std::uint32_t material = 0; // index into Scene::materials
+    std::uint32_t object = 0;   // index into Scene::objects; the first that uses it, where they share
+    bool operator==(const Surface&) const = default;
 };
 
 struct RasterGeometry {
@@ -64,11 +73,14 @@ struct RasterGeometry {
     PointStreams polygons;              // one a polygon: its centre (mean of its vertices), its face normal, its material; empty
                                         // if TessellationRequest::polygons is false
     std::vector<std::uint32_t> polygon_objects; // object number of each polygon
-    std::vector<Cluster> clusters;              // one-sided clusters first
-    std::size_t one_sided_clusters = 0;         // clusters[0 .. one_sided_clusters) are culled from behind
-    std::size_t dropped_degenerate = 0;         // polygons without area, left out (NI-3)
-    std::size_t faces_two_sided = 0;            // polygons visible from both sides
-    bool normals_may_vanish = false;            // a triangle has file-given normals that do not all lie on one side of its face (NI-1)
+    std::vector<Surface> surfaces;              // what PointNormal::material counts
+    // Opaque one-sided clusters first, then opaque two-sided, translucent one-sided, translucent two-sided; one-sided are culled from behind.
+    std::vector<Cluster> clusters;
+    std::size_t one_sided_clusters = 0, opaque_clusters = 0; // opaque ones are clusters[0 .. opaque_clusters)
+    std::size_t translucent_one_sided_clusters = 0;          // from opaque_clusters on
+    std::size_t dropped_degenerate = 0;                      // polygons without area, left out (NI-3)
+    std::size_t faces_two_sided = 0;                         // polygons visible from both sides
+    bool normals_may_vanish = false; // a triangle has file-given normals that do not all lie on one side of its face (NI-1)
 };
 
 // Tessellates every object. `two_sided` of a material decides culling; where it is absent a shape is one-sided iff it is closed and outward.
