@@ -9,6 +9,7 @@
 namespace lightbench::gpu_layout {
 using glm::mat4;
 using glm::uvec2;
+using glm::vec2;
 using glm::vec3;
 using glm::vec4;
 using uint = std::uint32_t;
