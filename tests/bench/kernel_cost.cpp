@@ -23,7 +23,7 @@ constexpr std::uint32_t kCalls = 2000;     // an invocation: short, so that some
 constexpr std::array kFunctions{
     "empty loop", "phong_specular", "pow(max(R.V, 0), n)", "power_one_minus", "pow(1 - s, n)", "lambert", "safe_normalize", "fast_normalize",
     "safe_length", "length", "attenuation_linear", "attenuation_inverse_square", "spot_falloff", "sum_add", "plain +=", "srgb_encode(vec3)",
-    "quantize8", "normalize"};
+    "quantize8", "normalize", "cook_torrance_gaussian", "cook_torrance_beckmann", "fresnel_dense(vec3)", "fresnel(vec3)"};
 // clang-format on
 
 struct Bench {

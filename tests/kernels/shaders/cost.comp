@@ -3,6 +3,8 @@
 #extension GL_GOOGLE_include_directive : require
 #include "lib/attenuation.glsl"
 #include "lib/color.glsl"
+#include "lib/cook_torrance.glsl"
+#include "lib/fresnel.glsl"
 #include "lib/phong.glsl"
 #include "lib/spot.glsl"
 #include "lib/sum.glsl"
@@ -34,6 +36,10 @@ float call(vec3 n, vec3 l, vec3 v, float shininess, inout Sum3 sum) {
     case 15: return dot(srgb_encode(n), vec3(1.0));
     case 16: return float(quantize8(n.x));
     case 17: return dot(normalize(n), vec3(1.0));
+    case 18: return dot(cook_torrance_gaussian(n, l, v, 0.01 * shininess, shininess, 1.5 + abs(v)), vec3(1.0));
+    case 19: return dot(cook_torrance_beckmann(n, l, v, 0.01 * shininess, shininess, 1.5 + abs(v)), vec3(1.0));
+    case 20: return dot(fresnel_dense(abs(n.x), 1.5 + abs(v)), vec3(1.0));
+    case 21: return dot(fresnel(abs(n.x), 0.5 + abs(v)), vec3(1.0));
     }
     return n.x + n.y + n.z + l.x + v.x;
 }
