@@ -36,7 +36,8 @@ Facet make_facet(vec3 n, vec3 l, vec3 v) {
 }
 
 // F min(1/(N.V), 2 (N.H)/(V.H), 2 (N.H)(N.L)/((V.H)(N.V))) D: G with its divisor, so that nothing is 0/0 at grazing angles. What changes
-// when L and V change places comes last: the BRDF is reciprocal within 4 u.
+// when L and V change places comes last: the BRDF is reciprocal within 6 u (4 u is the most
+// that was seen: kernel test CookTorranceIsReciprocal).
 // No light leaks through from behind: 0 unless N.L and N.V are normal numbers above 0. Where |L + V|^2 < 1e-12 there is no half vector:
 // L = -V up to the rounding of unit vectors, and the plane that both graze sees neither.
 vec3 facet_factor(Facet f, float d, vec3 ior) {
@@ -80,9 +81,9 @@ vec3 cook_torrance_gaussian(vec3 n, vec3 l, vec3 v, float m, float lobe, vec3 io
 // D Beckmann, exp(-tan^2(alpha)/m^2) / (4 m^2 cos^4(alpha)).
 // Beckmann and Spizzichino 1963, "The scattering of electromagnetic waves from rough surfaces", sec. 5.3; 1/cos^2 = 1 + tan^2.
 //   lobe     1/(4 m^2), from lobe_factor()
-// Error: relative (13 + 8 E + sqrt(E)/(500 m) + (1 + 2 E) e) u, E the exponent and e u the larger relative error of N.L and N.V, 3 where the
-// normal is an axis and at most 3/min(N.L, N.V); 0 for E > 87.3; either side where N.L or N.V is 0 but for its rounding (kernel tests
-// CookTorranceBeckmann, CookTorranceGrazing).
+// Error: relative (13 + 8 E + sqrt(E)/(500 m) + (1 + 2 E) e) u, E the exponent and e u the larger relative error of N.L and N.V: 3 u where
+// the normal is an axis, at most 3 u/min(N.L, N.V) elsewhere. 0 for E > 87.3; either side where N.L or N.V is 0 but for its rounding
+// (kernel tests CookTorranceBeckmann, CookTorranceGrazing).
 vec3 cook_torrance_beckmann(vec3 n, vec3 l, vec3 v, float m, float lobe, vec3 ior) {
     Facet f = make_facet(n, l, v);
     float t = squared_tangent(f), secant2 = 1.0 + t;

@@ -137,7 +137,7 @@ TEST_F(Kernel, CookTorranceIsDarkFromBehind) {
                     tail);
 }
 
-// CT-8. Two factors that differ in the order of their roundings.
+// CT-8. Three roundings on either side differ.
 TEST_F(Kernel, CookTorranceIsReciprocal) {
     const KernelRun run = run_kernel(device, "cook_torrance_swapped", facets(100'000, 3, Facets::gaussian), 4);
     for (std::size_t first : {0, 2}) {
@@ -145,7 +145,7 @@ TEST_F(Kernel, CookTorranceIsReciprocal) {
             const double a = static_cast<double>(out[first]), b = static_cast<double>(out[first + 1]);
             return a == b ? 0 : std::abs(a - b) < 1e-36 ? 0 : std::abs(a - b) / std::max(a, b);
         };
-        expect_within(run, constant(0), Bound::absolute(4 * kU), off);
+        expect_within(run, constant(0), Bound::absolute(6 * kU), off);
     }
 }
 
