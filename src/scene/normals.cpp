@@ -42,14 +42,6 @@ CornersByPoint corners_by_point(const Faces& faces) {
     return sorted;
 }
 
-// The inner angle of a face at a corner, reflex ones too. atan2 is exact to a few u at 0 and pi, where acos loses half the digits.
-double corner_angle(const Faces& faces, std::uint32_t point, const Around& a, const glm::dvec3& normal) {
-    const glm::dvec3 to_next = faces.points[a.after] - faces.points[point], to_previous = faces.points[a.before] - faces.points[point];
-    const glm::dvec3 cross = glm::cross(to_next, to_previous);
-    const double angle = std::atan2(glm::length(cross), glm::dot(to_next, to_previous));
-    return glm::dot(cross, normal) < 0 ? 2 * std::numbers::pi - angle : angle;
-}
-
 // An edge that more faces share is a seam of sheets, not a surface: it stays sharp. The bound keeps the pairs few.
 constexpr std::size_t kMaxFacesAnEdge = 8;
 
@@ -110,7 +102,8 @@ void PointSmoother::smooth(std::uint32_t point, std::span<const Around> around) 
     normal_.assign(around.size(), kNone);
     for (std::uint32_t i = 0; i < around.size(); ++i) {
         const glm::dvec3& normal = of_faces_[around[i].face];
-        sum_[root(i)] += corner_angle(faces_, point, around[i], normal) * normal;
+        const glm::dvec3 &here = faces_.points[point], &after = faces_.points[around[i].after], &before = faces_.points[around[i].before];
+        sum_[root(i)] += corner_angle(after - here, before - here, normal) * normal;
     }
     for (std::uint32_t i = 0; i < around.size(); ++i) {
         Corner& corner = faces_.corners[around[i].corner];
@@ -126,6 +119,13 @@ void PointSmoother::smooth(std::uint32_t point, std::span<const Around> around) 
 }
 
 } // namespace
+
+// atan2 is exact to a few u at 0 and pi, where acos loses half the digits.
+double corner_angle(const glm::dvec3& to_next, const glm::dvec3& to_previous, const glm::dvec3& normal) {
+    const glm::dvec3 cross = glm::cross(to_next, to_previous);
+    const double angle = std::atan2(glm::length(cross), glm::dot(to_next, to_previous));
+    return glm::dot(cross, normal) < 0 ? 2 * std::numbers::pi - angle : angle;
+}
 
 // Newell's sum (Sutherland, Sproull, Schumacker 1974) about the first corner: differences of float32 points are exact in double. Each product of
 // two edges carries at most 4 u of its size; a sum that is not above that is no area.

@@ -10,6 +10,9 @@ glm::dvec3 face_normal(const std::vector<glm::dvec3>& points, std::span<const Co
 
 std::vector<glm::dvec3> face_normals(const Faces& faces);
 
+// The inner angle of a face at a corner, reflex ones too: radians, in [0, 2 pi).
+double corner_angle(const glm::dvec3& to_next, const glm::dvec3& to_previous, const glm::dvec3& normal);
+
 // Gives every corner without a normal the mean of the face normals around its point, weighted by the faces' angles there. Only faces that
 // hang together across edges of less than `crease` radians are averaged: each such group has a normal of its own.
 void smooth_normals(Faces& faces, const std::vector<glm::dvec3>& of_faces, double crease);

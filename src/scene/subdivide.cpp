@@ -1,4 +1,4 @@
-// One level of refinement at a time; midpoints of edges and of pairs of normals are made once and found again by their two ends.
+// One level of refinement at a time; midpoints of edges, of pairs of normals and of texture points are made once and found again by their two ends.
 #include "scene/subdivide.h"
 
 #include "scene/normals.h"
@@ -33,27 +33,38 @@ class PairTable {
     std::vector<Slot> slots_;
 };
 
+// A corner of a face, with its texture point if the faces have such.
+struct Place {
+    Corner corner;
+    std::uint32_t texture = kNone;
+};
+
 class Splitter {
   public:
     Splitter(Faces& old, const std::vector<glm::dvec3>& of_faces)
-        : old_(old), of_faces_(of_faces), points_(old.corners.size()), normals_(old.normals.empty() ? 0 : old.corners.size()) {}
+        : old_(old), of_faces_(of_faces), points_(old.corners.size()), normals_(old.normals.empty() ? 0 : old.corners.size()),
+          textures_(old.corner_textures.size()) {}
     void run();
     Faces made;
     std::vector<glm::dvec3> made_normals;
 
   private:
     std::uint32_t middle_point(std::uint32_t a, std::uint32_t b);
-    std::uint32_t mean_normal(std::span<const Corner> of, std::size_t face);
-    Corner middle(const Corner& a, const Corner& b, std::size_t face);
-    void emit(std::size_t face, std::initializer_list<Corner> loop);
-    void split_triangle(std::size_t face, std::span<const Corner> loop);
-    void split_about_center(std::size_t face, std::span<const Corner> loop);
+    std::uint32_t mean_normal(std::span<const Place> of, std::size_t face);
+    std::uint32_t mean_texture(std::span<const Place> of);
+    std::uint32_t middle_texture(const Place& a, const Place& b);
+    Place middle(const Place& a, const Place& b, std::size_t face);
+    void take_loop(std::size_t face);
+    void emit(std::size_t face, std::initializer_list<Place> loop);
+    void split_triangle(std::size_t face, std::span<const Place> loop);
+    void split_about_center(std::size_t face, std::span<const Place> loop);
     bool convex(std::size_t face);
     void split_in_triangles(std::size_t face);
 
     Faces& old_;
     const std::vector<glm::dvec3>& of_faces_;
-    PairTable points_, normals_;
+    PairTable points_, normals_, textures_;
+    std::vector<Place> loop_;
     std::vector<glm::dvec3> loop_points_;
     std::vector<CornerTriple> triangles_;
 };
@@ -68,48 +79,76 @@ std::uint32_t Splitter::middle_point(std::uint32_t a, std::uint32_t b) {
 }
 
 // Opposite normals have no mean; then the face's own stands in.
-std::uint32_t Splitter::mean_normal(std::span<const Corner> of, std::size_t face) {
+std::uint32_t Splitter::mean_normal(std::span<const Place> of, std::size_t face) {
     glm::dvec3 sum(0);
-    for (const Corner& c : of) sum += made.normals[c.normal];
+    for (const Place& p : of) sum += made.normals[p.corner.normal];
     const double length = glm::length(sum);
     made.normals.push_back(length > 1e-9 * double(of.size()) ? sum / length : of_faces_[face]);
     return static_cast<std::uint32_t>(made.normals.size() - 1);
 }
 
-Corner Splitter::middle(const Corner& a, const Corner& b, std::size_t face) {
-    const std::uint32_t point = middle_point(a.point, b.point);
-    if (a.normal == b.normal) return {point, a.normal};
-    std::uint32_t& known = normals_.at(a.normal, b.normal);
-    const Corner ends[2] = {a, b};
-    if (known == kNone) known = mean_normal(ends, face);
-    return {point, known};
+// Tangents of opposite handedness cancel in w, and then count as not given.
+std::uint32_t Splitter::mean_texture(std::span<const Place> of) {
+    TexturePoint sum;
+    for (const Place& p : of) sum.uv += made.texture_points[p.texture].uv, sum.tangent += made.texture_points[p.texture].tangent;
+    made.texture_points.push_back({sum.uv / double(of.size()), sum.tangent / double(of.size())});
+    return static_cast<std::uint32_t>(made.texture_points.size() - 1);
 }
 
-void Splitter::emit(std::size_t face, std::initializer_list<Corner> loop) {
-    made.corners.insert(made.corners.end(), loop);
+std::uint32_t Splitter::middle_texture(const Place& a, const Place& b) {
+    if (a.texture == b.texture) return a.texture;
+    std::uint32_t& known = textures_.at(a.texture, b.texture);
+    const Place ends[2] = {a, b};
+    if (known == kNone) known = mean_texture(ends);
+    return known;
+}
+
+Place Splitter::middle(const Place& a, const Place& b, std::size_t face) {
+    Place place{{middle_point(a.corner.point, b.corner.point), a.corner.normal}, middle_texture(a, b)};
+    if (a.corner.normal == b.corner.normal) return place;
+    std::uint32_t& known = normals_.at(a.corner.normal, b.corner.normal);
+    const Place ends[2] = {a, b};
+    if (known == kNone) known = mean_normal(ends, face);
+    place.corner.normal = known;
+    return place;
+}
+
+void Splitter::take_loop(std::size_t face) {
+    const auto corners = old_.loop(face);
+    const auto textures = old_.textures(face);
+    loop_.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) loop_.push_back({corners[i], textures.empty() ? kNone : textures[i]});
+}
+
+void Splitter::emit(std::size_t face, std::initializer_list<Place> loop) {
+    for (const Place& p : loop) {
+        made.corners.push_back(p.corner);
+        if (p.texture != kNone) made.corner_textures.push_back(p.texture);
+    }
     made.close_face();
     if (!old_.materials.empty()) made.materials.push_back(old_.materials[face]);
     const glm::dvec3 normal = face_normal(made.points, made.loop(made.count() - 1));
     made_normals.push_back(normal == glm::dvec3(0) ? of_faces_[face] : normal);
 }
 
-void Splitter::split_triangle(std::size_t face, std::span<const Corner> loop) {
-    const Corner ab = middle(loop[0], loop[1], face), bc = middle(loop[1], loop[2], face), ca = middle(loop[2], loop[0], face);
+void Splitter::split_triangle(std::size_t face, std::span<const Place> loop) {
+    const Place ab = middle(loop[0], loop[1], face), bc = middle(loop[1], loop[2], face), ca = middle(loop[2], loop[0], face);
     emit(face, {loop[0], ab, ca});
     emit(face, {loop[1], bc, ab});
     emit(face, {loop[2], ca, bc});
     emit(face, {ab, bc, ca});
 }
 
-void Splitter::split_about_center(std::size_t face, std::span<const Corner> loop) {
-    Corner center{static_cast<std::uint32_t>(made.points.size()), loop[0].normal};
+void Splitter::split_about_center(std::size_t face, std::span<const Place> loop) {
+    Place center{{static_cast<std::uint32_t>(made.points.size()), loop[0].corner.normal}, kNone};
     glm::dvec3 sum(0);
-    for (const Corner& c : loop) sum += made.points[c.point];
+    for (const Place& p : loop) sum += made.points[p.corner.point];
     made.points.push_back(sum / double(loop.size()));
-    if (std::any_of(loop.begin(), loop.end(), [&](const Corner& c) { return c.normal != loop[0].normal; }))
-        center.normal = mean_normal(loop, face);
+    if (std::any_of(loop.begin(), loop.end(), [&](const Place& p) { return p.corner.normal != loop[0].corner.normal; }))
+        center.corner.normal = mean_normal(loop, face);
+    if (loop[0].texture != kNone) center.texture = mean_texture(loop);
     for (std::size_t i = 0, n = loop.size(); i < n; ++i) {
-        const Corner before = middle(loop[(i + n - 1) % n], loop[i], face), after = middle(loop[i], loop[(i + 1) % n], face);
+        const Place before = middle(loop[(i + n - 1) % n], loop[i], face), after = middle(loop[i], loop[(i + 1) % n], face);
         emit(face, {loop[i], after, center, before});
     }
 }
@@ -123,9 +162,8 @@ bool Splitter::convex(std::size_t face) {
 void Splitter::split_in_triangles(std::size_t face) {
     triangles_.clear();
     triangulate(flatten(loop_points_, of_faces_[face]), triangles_);
-    const auto loop = old_.loop(face);
     for (const auto& t : triangles_) {
-        const Corner corners[3] = {loop[t[0]], loop[t[1]], loop[t[2]]};
+        const Place corners[3] = {loop_[t[0]], loop_[t[1]], loop_[t[2]]};
         split_triangle(face, corners);
     }
 }
@@ -133,12 +171,13 @@ void Splitter::split_in_triangles(std::size_t face) {
 void Splitter::run() {
     made.points.swap(old_.points);
     made.normals.swap(old_.normals);
+    made.texture_points.swap(old_.texture_points);
     for (std::size_t face = 0; face < old_.count(); ++face) {
-        const auto loop = old_.loop(face);
-        if (loop.size() == 3)
-            split_triangle(face, loop);
+        take_loop(face);
+        if (loop_.size() == 3)
+            split_triangle(face, loop_);
         else if (convex(face))
-            split_about_center(face, loop);
+            split_about_center(face, loop_);
         else
             split_in_triangles(face);
     }

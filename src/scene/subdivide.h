@@ -7,6 +7,7 @@ namespace lightbench {
 
 // Splits every face `levels` times and brings `of_faces` (a normal a face) along. Faces that are not convex are cut into triangles first.
 // Edges that faces share stay shared, and so do normals: new ones are the means of their neighbours', made unit.
+// Texture points are interpolated linearly.
 void subdivide(Faces& faces, std::vector<glm::dvec3>& of_faces, unsigned levels);
 
 } // namespace lightbench

@@ -4,6 +4,8 @@
 #include "scene/limits.h"
 #include "scene/normals.h"
 #include "scene/subdivide.h"
+#include "scene/surfaces.h"
+#include "scene/tessellate_detail.h"
 #include "scene/tessellate_facets.h"
 #include "scene/tessellate_job.h"
 #include "scene/tessellate_merge.h"
@@ -20,7 +22,8 @@ namespace {
 
 class Tessellator {
   public:
-    Tessellator(const Scene& scene, const TessellationRequest& request) : scene_(scene), request_(request), meshes_(scene.meshes.size()) {
+    Tessellator(const Scene& scene, const TessellationRequest& request)
+        : scene_(scene), request_(request), surfaces_(scene), meshes_(scene.meshes.size()) {
         geometry_.frame = frame_of(bounds_of(scene));
     }
     RasterGeometry run();
@@ -33,7 +36,7 @@ class Tessellator {
     void operator()(const Cone& cone);
     void operator()(const Torus& torus) { cut_curved(torus_faces(torus, cuts_of(job_, torus)), torus.center); }
     void operator()(const MeshUse& use) {
-        cut_file_faces(mesh_faces(scene_.meshes[use.mesh], *meshes_[use.mesh], job_.placement, request_.normals));
+        cut_file_faces(mesh_faces(scene_.meshes[use.mesh], *meshes_[use.mesh], job_.placement, request_.normals, request_.detail));
     }
 
   private:
@@ -42,13 +45,18 @@ class Tessellator {
     void cut_curved(Faces faces, const glm::dvec3& center);
     void cut_file_faces(FileFaces file);
     void emit(const Facets& facets, const glm::dvec3& anchor, double scale);
+    void emit_triangles(const Facets& facets);
+    std::size_t soup_of_material(std::uint32_t material) const;
+    std::uint32_t surface(std::uint32_t material) { return surfaces_.number(material, job_.number); }
+    gpu_layout::PointDetail in_frame(const Detail& detail) const;
     void emit_vertices(const Facets& facets, const glm::dvec3& anchor, double scale);
     void emit_polygons(const Facets& facets, const glm::dvec3& anchor, double scale);
 
     const Scene& scene_;
     const TessellationRequest& request_;
     RasterGeometry geometry_;
-    Soup one_sided_, two_sided_;
+    SurfaceTable surfaces_;
+    Soups soups_;
     Job job_;
     bool job_two_sided_ = false;
     std::vector<std::optional<WeldedMesh>> meshes_; // those that an object used so far
@@ -105,20 +113,43 @@ void Tessellator::cut_file_faces(FileFaces file) {
         if (!file.kept.empty() && !all_on_one_side(faces, of_faces)) geometry_.normals_may_vanish = true;
     }
     subdivide(faces, of_faces, job_.subdivide);
-    emit(facets_of(faces, of_faces, request_.normals), job_.placement.translation + faces.anchor, 1);
+    std::optional<Details> details;
+    if (!faces.corner_textures.empty()) details = details_of(faces, of_faces, request_.normals);
+    emit(facets_of(faces, of_faces, request_.normals, details ? &*details : nullptr), job_.placement.translation + faces.anchor, 1);
+}
+
+std::size_t Tessellator::soup_of_material(std::uint32_t material) const {
+    const Material& m = scene_.materials[material];
+    return is_translucent(m) ? soup_of(true, is_two_sided(m)) : soup_of(false, job_two_sided_);
+}
+
+void Tessellator::emit_triangles(const Facets& facets) {
+    const auto vertex = static_cast<std::uint32_t>(geometry_.vertices.positions.size());
+    const auto polygon = static_cast<std::uint32_t>(geometry_.polygons.positions.size());
+    std::vector<std::size_t> soup_of_face;
+    for (std::uint32_t m : facets.face_materials) soup_of_face.push_back(soup_of_material(m));
+    const std::size_t common = soup_of_material(job_.object->material), faces = facets.face_normals.size();
+    for (std::size_t f = 0; f < faces; ++f)
+        if ((soup_of_face.empty() ? common : soup_of_face[f]) % 2 == 1) ++geometry_.faces_two_sided;
+    for (std::size_t i = 0; i < facets.triangles.size(); ++i) {
+        const auto& t = facets.triangles[i];
+        Soup& soup = soups_[soup_of_face.empty() ? common : soup_of_face[facets.triangle_faces[i]]];
+        soup.triangles.push_back({vertex + t[0], vertex + t[1], vertex + t[2]});
+        if (request_.polygons) soup.polygons.push_back(polygon + facets.triangle_faces[i]);
+    }
 }
 
 void Tessellator::emit(const Facets& facets, const glm::dvec3& anchor, double scale) {
-    Soup& soup = job_two_sided_ ? two_sided_ : one_sided_;
-    const auto vertex = static_cast<std::uint32_t>(geometry_.vertices.positions.size());
-    for (const auto& t : facets.triangles) soup.triangles.push_back({vertex + t[0], vertex + t[1], vertex + t[2]});
-    if (job_two_sided_) geometry_.faces_two_sided += facets.face_normals.size();
-    if (request_.polygons) {
-        const auto polygon = static_cast<std::uint32_t>(geometry_.polygons.positions.size());
-        for (std::uint32_t face : facets.triangle_faces) soup.polygons.push_back(polygon + face);
-        emit_polygons(facets, anchor, scale);
-    }
+    if (facets.face_normals.empty()) return;
+    emit_triangles(facets);
+    if (request_.polygons) emit_polygons(facets, anchor, scale);
     emit_vertices(facets, anchor, scale);
+}
+
+// Gradients per metre of an object that stands in the world, per frame unit here.
+gpu_layout::PointDetail Tessellator::in_frame(const Detail& detail) const {
+    const double per_unit = 1 / geometry_.frame.scale;
+    return {detail.uv, 0, 0, per_unit * detail.u_gradient, 0, per_unit * detail.v_gradient, 0};
 }
 
 void Tessellator::emit_vertices(const Facets& facets, const glm::dvec3& anchor, double scale) {
@@ -126,7 +157,10 @@ void Tessellator::emit_vertices(const Facets& facets, const glm::dvec3& anchor, 
     for (const auto& p : facets.positions) geometry_.vertices.positions.push_back({glm::vec3(to_frame * (anchor + scale * p)), 0});
     for (std::size_t i = 0; i < facets.normals.size(); ++i)
         geometry_.vertices.normals.push_back(
-            {glm::vec3(facets.normals[i]), facets.vertex_materials.empty() ? job_.object->material : facets.vertex_materials[i]});
+            {glm::vec3(facets.normals[i]), surface(facets.vertex_materials.empty() ? job_.object->material : facets.vertex_materials[i])});
+    if (!request_.detail) return;
+    for (const Detail& d : facets.details) geometry_.vertices.detail.push_back(in_frame(d));
+    geometry_.vertices.detail.resize(geometry_.vertices.normals.size());
 }
 
 void Tessellator::emit_polygons(const Facets& facets, const glm::dvec3& anchor, double scale) {
@@ -135,9 +169,12 @@ void Tessellator::emit_polygons(const Facets& facets, const glm::dvec3& anchor, 
         const auto number = static_cast<std::uint32_t>(geometry_.polygons.positions.size());
         geometry_.polygons.positions.push_back({glm::vec3(to_frame * (anchor + scale * facets.face_centers[f])), number});
         geometry_.polygons.normals.push_back(
-            {glm::vec3(facets.face_normals[f]), facets.face_materials.empty() ? job_.object->material : facets.face_materials[f]});
+            {glm::vec3(facets.face_normals[f]), surface(facets.face_materials.empty() ? job_.object->material : facets.face_materials[f])});
         geometry_.polygon_objects.push_back(job_.number);
     }
+    if (!request_.detail) return;
+    for (const Detail& d : facets.face_details) geometry_.polygons.detail.push_back(in_frame(d));
+    geometry_.polygons.detail.resize(geometry_.polygons.positions.size());
 }
 
 // Room for everything at once: growing step by step would need twice the memory at the end. What is not filled is never touched.
@@ -152,9 +189,11 @@ void Tessellator::reserve() {
     }
     geometry_.vertices.positions.reserve(triangles);
     if (request_.normals) geometry_.vertices.normals.reserve(triangles);
-    one_sided_.triangles.reserve(triangles);
+    if (request_.normals && request_.detail) geometry_.vertices.detail.reserve(triangles);
+    soups_[0].triangles.reserve(triangles);
     if (!request_.polygons) return;
-    one_sided_.polygons.reserve(triangles);
+    soups_[0].polygons.reserve(triangles);
+    if (request_.detail) geometry_.polygons.detail.reserve(triangles);
     geometry_.polygons.positions.reserve(triangles);
     geometry_.polygons.normals.reserve(triangles);
     geometry_.polygon_objects.reserve(triangles);
@@ -175,8 +214,9 @@ RasterGeometry Tessellator::run() {
     }
     const auto polygons = std::count_if(scene_.objects.begin(), scene_.objects.end(),
                                         [](const Object& object) { return std::holds_alternative<Polygon>(object.shape); });
-    if (polygons > 1) merge_vertices(geometry_, one_sided_, two_sided_);
-    order_triangles(geometry_, one_sided_, two_sided_);
+    if (polygons > 1) merge_vertices(geometry_, soups_);
+    order_triangles(geometry_, soups_);
+    geometry_.surfaces = surfaces_.take();
     return std::move(geometry_);
 }
 

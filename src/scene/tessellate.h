@@ -56,7 +56,7 @@ struct Cluster {
 struct PointStreams {
     std::vector<gpu_layout::PointPosition> positions;
     std::vector<gpu_layout::PointNormal> normals;
-    std::vector<gpu_layout::PointDetail> detail; // empty, or one a point
+    std::vector<gpu_layout::PointDetail> detail; // empty, or one a point; vertices without normals have none
 };
 
 // A material as it lies on an object. Where nothing of the material depends on the object, all objects share one surface.
@@ -84,7 +84,8 @@ struct RasterGeometry {
 };
 
 // Tessellates every object. `two_sided` of a material decides culling; where it is absent a shape is one-sided iff it is closed and outward.
-// An object whose faces have several materials is two-sided if one of them says so, one-sided if all forbid it, else its shape decides.
+// An object whose faces have several materials is two-sided if one of them says so, one-sided if all forbid it, else its shape decides,
+// as open if a face is translucent. Translucent faces are two-sided unless their own material forbids it.
 // Facets of curved primitives and the parts of a subdivided face count as polygons; the caps of cylinders and cones are one each.
 // Throws std::length_error with the limit's name if limits::kMaxTriangles is passed.
 RasterGeometry tessellate(const Scene& scene, const TessellationRequest& request);

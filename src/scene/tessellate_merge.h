@@ -5,6 +5,6 @@
 
 namespace lightbench {
 
-void merge_vertices(RasterGeometry& geometry, Soup& one_sided, Soup& two_sided);
+void merge_vertices(RasterGeometry& geometry, Soups& soups);
 
 } // namespace lightbench

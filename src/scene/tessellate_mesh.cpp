@@ -75,15 +75,19 @@ bool parts_have_volume(const Mesh& mesh, const WeldedMesh& welded) {
     return true;
 }
 
-// Appends a loop without repeats of a point in a row; false (and nothing appended) if fewer than 3 corners are left.
-bool append_loop(Faces& faces, std::span<const Corner> loop) {
+// Appends a loop without repeats of a point in a row; false (and nothing appended) if fewer than 3 corners are left. `textures`: empty, or
+// one a corner.
+bool append_loop(Faces& faces, std::span<const Corner> loop, std::span<const std::uint32_t> textures = {}) {
     const std::size_t first = faces.corners.size();
-    for (const Corner& c : loop)
-        if (faces.corners.size() == first || faces.corners.back().point != c.point) faces.corners.push_back(c);
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+        if (faces.corners.size() != first && faces.corners.back().point == loop[i].point) continue;
+        faces.corners.push_back(loop[i]);
+        if (!textures.empty()) faces.corner_textures.push_back(textures[i]);
+    }
     while (faces.corners.size() > first + 1 && faces.corners.back().point == faces.corners[first].point) faces.corners.pop_back();
-    if (faces.corners.size() >= first + 3) return faces.close_face(), true;
-    faces.corners.resize(first);
-    return false;
+    if (faces.corners.size() < first + 3) faces.corners.resize(first);
+    if (!textures.empty()) faces.corner_textures.resize(faces.corners.size());
+    return faces.corners.size() > first ? faces.close_face(), true : false;
 }
 
 // The file's normals in world axes, made unit; those that are 0 or not finite are not kept.
@@ -98,8 +102,29 @@ void take_normals(FileFaces& made, const std::vector<glm::vec3>& normals, const 
     }
 }
 
-void turn_if_mirrored(std::vector<Corner>& loop, const Placement& placement) {
+template <typename T> void turn_if_mirrored(std::vector<T>& loop, const Placement& placement) {
     if (placement.mirrored && !loop.empty()) std::reverse(loop.begin() + 1, loop.end());
+}
+
+// A vertex's place in the pictures, as the file has it.
+struct FileTexturePoint {
+    glm::vec2 uv{0};
+    glm::vec4 tangent{0};
+};
+static_assert(sizeof(FileTexturePoint) == 24, "hashed as bytes, so without padding");
+
+// Vertices that agree in uv and tangent share a texture point. A mirror turns the way of v against cross(normal, tangent).
+std::vector<std::uint32_t> take_texture_points(Faces& faces, const Mesh& mesh, const Placement& placement) {
+    std::vector<FileTexturePoint> all(mesh.uvs.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = {mesh.uvs[i], mesh.tangents.empty() ? glm::vec4(0) : mesh.tangents[i]};
+    std::vector<std::uint32_t> point_of(all.size());
+    faces.texture_points.resize(
+        meshopt_generateVertexRemap(point_of.data(), nullptr, all.size(), all.data(), all.size(), sizeof(FileTexturePoint)));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const glm::dvec4 t(all[i].tangent);
+        faces.texture_points[point_of[i]] = {all[i].uv, glm::dvec4(placement.linear * glm::dvec3(t), placement.mirrored ? -t.w : t.w)};
+    }
+    return point_of;
 }
 
 } // namespace
@@ -116,21 +141,26 @@ WeldedMesh weld(const Mesh& mesh) {
     return welded;
 }
 
-FileFaces mesh_faces(const Mesh& mesh, const WeldedMesh& welded, const Placement& placement, bool normals) {
+FileFaces mesh_faces(const Mesh& mesh, const WeldedMesh& welded, const Placement& placement, bool normals, bool detail) {
     FileFaces made;
     made.faces.points = welded_points(mesh, welded, placement.linear);
     if (normals) take_normals(made, mesh.normals, placement);
     made.faces.corners.reserve(mesh.corners.size());
     made.faces.starts.reserve(mesh.face_starts.size());
+    std::vector<std::uint32_t> texture_of_vertex, textures;
+    if (detail && !mesh.uvs.empty()) texture_of_vertex = take_texture_points(made.faces, mesh, placement);
+    if (!texture_of_vertex.empty()) made.faces.corner_textures.reserve(mesh.corners.size());
     std::vector<Corner> loop;
     for (std::size_t f = 0; f < mesh.face_count(); ++f) {
-        loop.clear();
+        loop.clear(), textures.clear();
         for (std::uint32_t i = mesh.face_starts[f]; i < mesh.face_starts[f + 1]; ++i) {
             const std::uint32_t vertex = mesh.corners[i];
             loop.push_back({welded.point_of_vertex[vertex], vertex < made.kept.size() && made.kept[vertex] ? vertex : kNone});
+            if (!texture_of_vertex.empty()) textures.push_back(texture_of_vertex[vertex]);
         }
         turn_if_mirrored(loop, placement);
-        if (!append_loop(made.faces, loop))
+        turn_if_mirrored(textures, placement);
+        if (!append_loop(made.faces, loop, textures))
             ++made.dropped;
         else if (!mesh.face_materials.empty())
             made.faces.materials.push_back(mesh.face_materials[f]);
@@ -159,7 +189,10 @@ std::size_t drop_degenerate(Faces& faces, std::vector<glm::dvec3>& of_faces) {
     for (std::size_t f = 0, start = 0; f < count; ++f) {
         const std::size_t end = faces.starts[f + 1];
         if (of_faces[f] != glm::dvec3(0)) {
-            for (std::size_t i = start; i < end; ++i) faces.corners[corners++] = faces.corners[i];
+            for (std::size_t i = start; i < end; ++i, ++corners) {
+                faces.corners[corners] = faces.corners[i];
+                if (!faces.corner_textures.empty()) faces.corner_textures[corners] = faces.corner_textures[i];
+            }
             if (!faces.materials.empty()) faces.materials[kept] = faces.materials[f];
             if (!faces.hubs.empty()) faces.hubs[kept] = faces.hubs[f];
             of_faces[kept] = of_faces[f];
@@ -168,6 +201,7 @@ std::size_t drop_degenerate(Faces& faces, std::vector<glm::dvec3>& of_faces) {
         start = end;
     }
     faces.corners.resize(corners);
+    if (!faces.corner_textures.empty()) faces.corner_textures.resize(corners);
     faces.starts.resize(kept + 1);
     of_faces.resize(kept);
     if (!faces.materials.empty()) faces.materials.resize(kept);

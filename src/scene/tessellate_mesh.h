@@ -21,7 +21,8 @@ struct FileFaces {
     std::vector<bool> kept;  // one a normal: the file's own
     std::size_t dropped = 0; // faces of fewer than 3 different points
 };
-FileFaces mesh_faces(const Mesh& mesh, const WeldedMesh& welded, const Placement& placement, bool normals);
+// `detail`: with the texture points of a mesh that has uvs.
+FileFaces mesh_faces(const Mesh& mesh, const WeldedMesh& welded, const Placement& placement, bool normals, bool detail = false);
 FileFaces polygon_faces(const Polygon& polygon, const Placement& placement, bool normals);
 
 // Removes the faces whose normal is 0, and their normals; returns how many there were.

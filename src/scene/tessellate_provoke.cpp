@@ -38,6 +38,7 @@ Orderer::Orderer(RasterGeometry& geometry, std::size_t triangles)
     geometry_.indices.reserve(3 * triangles);
     made_.positions.reserve(renumbered_.size());
     made_.normals.reserve(geometry_.vertices.normals.size());
+    made_.detail.reserve(geometry_.vertices.detail.size());
 }
 
 std::uint32_t Orderer::copy(std::uint32_t old, std::uint32_t polygon) {
@@ -45,6 +46,7 @@ std::uint32_t Orderer::copy(std::uint32_t old, std::uint32_t polygon) {
     position.polygon = polygon == kNone ? 0 : polygon;
     made_.positions.push_back(position);
     if (!geometry_.vertices.normals.empty()) made_.normals.push_back(geometry_.vertices.normals[old]);
+    if (!geometry_.vertices.detail.empty()) made_.detail.push_back(geometry_.vertices.detail[old]);
     taken_.push_back(polygon);
     return static_cast<std::uint32_t>(taken_.size() - 1);
 }
@@ -101,11 +103,17 @@ void Orderer::finish() {
 
 } // namespace
 
-void order_triangles(RasterGeometry& geometry, Soup& one_sided, Soup& two_sided) {
-    Orderer orderer(geometry, one_sided.triangles.size() + two_sided.triangles.size());
-    orderer.add(one_sided, false);
+void order_triangles(RasterGeometry& geometry, Soups& soups) {
+    std::size_t triangles = 0;
+    for (const Soup& soup : soups) triangles += soup.triangles.size();
+    Orderer orderer(geometry, triangles);
+    orderer.add(soups[soup_of(false, false)], false);
     geometry.one_sided_clusters = geometry.clusters.size();
-    orderer.add(two_sided, true);
+    orderer.add(soups[soup_of(false, true)], true);
+    geometry.opaque_clusters = geometry.clusters.size();
+    orderer.add(soups[soup_of(true, false)], false);
+    geometry.translucent_one_sided_clusters = geometry.clusters.size() - geometry.opaque_clusters;
+    orderer.add(soups[soup_of(true, true)], true);
     orderer.finish();
 }
 

@@ -62,7 +62,7 @@ TEST(TessMesh, MaterialsOfFacesSplitVerticesAndDecideSides) {
     EXPECT_EQ(g.vertices.positions.size(), 12u) << "3 x 3 points, of which a column of 3 belongs to both materials";
     g = tessellate(scene, {});
     std::map<std::uint32_t, int> faces;
-    for (const auto& n : g.polygons.normals) ++faces[n.material];
+    for (const auto& n : g.polygons.normals) ++faces[g.surfaces[n.material].material];
     EXPECT_EQ(faces, (std::map<std::uint32_t, int>{{1, 2}, {2, 2}}));
     for (std::size_t i = 0; i < g.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k)

@@ -142,12 +142,16 @@ inline void expect_sound(const RasterGeometry& g, bool normals = true, bool poly
     for (bool u : used) EXPECT_TRUE(u) << "a vertex that no triangle uses";
     for (const auto& n : g.vertices.normals) EXPECT_NEAR(glm::length(glm::dvec3(n.normal)), 1, 2e-7);
     for (const auto& n : g.polygons.normals) EXPECT_NEAR(glm::length(glm::dvec3(n.normal)), 1, 2e-7);
+    for (const auto* stream : {&g.vertices.normals, &g.polygons.normals})
+        for (const auto& n : *stream) ASSERT_LT(n.material, g.surfaces.size());
     std::size_t next = 0;
     for (std::size_t c = 0; c < g.clusters.size(); ++c) {
         EXPECT_EQ(g.clusters[c].first_index, next);
         EXPECT_GT(g.clusters[c].index_count, 0u);
         EXPECT_LE(g.clusters[c].index_count, 3 * 128u);
-        EXPECT_EQ(g.clusters[c].two_sided, c >= g.one_sided_clusters);
+        const std::size_t translucent = c - g.opaque_clusters;
+        EXPECT_EQ(g.clusters[c].two_sided,
+                  c < g.opaque_clusters ? c >= g.one_sided_clusters : translucent >= g.translucent_one_sided_clusters);
         next += g.clusters[c].index_count;
     }
     EXPECT_EQ(next, g.indices.size());
