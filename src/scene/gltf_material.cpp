@@ -58,13 +58,37 @@ std::optional<std::uint32_t> picture_of(Context& in, const GltfValue& info) {
     return source ? picture_of(in, *source) : std::nullopt;
 }
 
+// Section 5.26: the numbers are OpenGL's.
+Wrap wrap_of(const GltfValue& sampler, const char* key) {
+    switch (const std::uint64_t mode = sampler.count(key, 10497); mode) {
+    case 10497: return Wrap::repeat;
+    case 33071: return Wrap::clamp;
+    case 33648: return Wrap::mirror;
+    default:
+        sampler.problem(fmt::format("{} is {}; it must be 10497 (repeat), 33071 (clamp to edge) or 33648 (mirrored repeat)", key, mode));
+        return Wrap::repeat;
+    }
+}
+
+void set_wraps(Context& in, const GltfValue& info, Texture& texture) {
+    const GltfValue textures = in.document.root().array("textures"), samplers = in.document.root().array("samplers");
+    const auto index = info.index("index", textures.size());
+    const auto sampler = index ? textures.item(*index).index("sampler", samplers.size()) : std::nullopt;
+    if (!sampler) return;
+    texture.wrap_u = wrap_of(samplers.item(*sampler), "wrapS");
+    texture.wrap_v = wrap_of(samplers.item(*sampler), "wrapT");
+}
+
 void set_texture(Context& in, const GltfValue& info, Material& material, GltfMaterial& result) {
     if (!info) return;
     const GltfValue transform = info.extension("KHR_texture_transform");
     result.uv_set = transform.has("texCoord") ? transform.count("texCoord", 0) : info.count("texCoord", 0);
     if (transform.has("offset") || transform.has("rotation")) in.job.report.remark("offset and rotation of textures are not used");
     const glm::dvec2 scale = transform.numbers("scale", glm::dvec2(1));
-    if (const auto picture = picture_of(in, info)) material.texture = Texture{picture, Mapping::uv, scale};
+    const auto picture = picture_of(in, info);
+    if (!picture) return;
+    material.texture = Texture{picture, Mapping::uv, scale};
+    set_wraps(in, info, *material.texture);
 }
 
 void set_normal_map(Context& in, const GltfValue& info, Material& material) {
@@ -96,6 +120,7 @@ Surface specular_glossiness(const GltfValue& value) {
     return s;
 }
 
+// What becomes of metallic-roughness, whose work that is and what it loses: gltf_material.h.
 void set_reflectance(Material& m, const Surface& s, float transmission) {
     constexpr float kLeastSlope = 1e-3f; // a lobe of 0.1 degrees, far below a pixel; the exponent stays at 2e6
     constexpr float kMostF0 = 0.9999f;   // f0 = 1 has no finite index of refraction
@@ -109,7 +134,7 @@ void set_reflectance(Material& m, const Surface& s, float transmission) {
     m.transmission = base * ((1 - s.metallic) * transmission);
     m.fresnel = transmission > 0;
     m.shininess = std::max(2 / (slope * slope) - 2, 0.0f);
-    m.specular = glm::min(s.f0 * ((m.shininess + 2) / 8), 1.0f);
+    m.specular = glm::vec3(1); // the color is in f0
 }
 
 void remark_unused(ImportJob& job, const GltfValue& value) {

@@ -20,13 +20,16 @@ struct GltfMaterials {
     std::map<std::size_t, std::optional<std::uint32_t>> pictures; // by index of the image
 };
 
-// Metallic-roughness (section B.2 and following of the specification) becomes both models of Scene, with a = roughness^2 and
+// Metallic-roughness (glTF 2.0, appendix B.2 and following) becomes Cook-Torrance (S6), with a = roughness^2 and
 // f0 = mix(((ior - 1)/(ior + 1))^2, base, metallic):
 //   diffuse        base (1 - metallic) (1 - transmission)
-//   Cook-Torrance  f0 and the rms slope m = a (GGX is Beckmann's shape with longer tails: Walter et al. 2007)
-//   Phong          exponent 2/a^2 - 2 (B. Karis 2013, "Specular BRDF Reference"), and the weight f0 (n + 2)/8 that gives its lobe, per
-//                  unit of cosine, the height of the microfacet lobe, D G F / 4 at N = L = V; at most 1
+//   highlight      specular 1, f0, and the rms slope m = a of Beckmann's distribution
+//   shininess      2/a^2 - 2 (B. Karis 2013, "Specular BRDF Reference"), for whoever turns the model to Phong
 //   reflection f0, transmission base (1 - metallic) transmission, both scattered by the slope a; opacity alpha where alphaMode is BLEND
+// What is lost: GGX has longer tails than Beckmann's distribution of the same slope (Walter et al. 2007, "Microfacet Models for Refraction
+// through Rough Surfaces"), and masks by Smith's G where S6 has V-grooves; F is that of a dielectric with this f0 instead of Schlick's, 1 %
+// of it apart; the diffuse term is not weighted by 1 - F, so grazing views are brighter. Pictures of the base color modulate the diffuse
+// term alone (S10): the highlights of a textured metal have the color of its factor.
 // A primitive without a material gets Scene's default one, not the white metal that the specification's defaults describe.
 // `index`: into the file's materials; none: without.
 GltfMaterial material_for(ImportJob& job, const GltfDocument& document, std::optional<std::size_t> index, GltfMaterials& known);

@@ -126,6 +126,7 @@ std::optional<Primitive> read_primitive(Geometry& geometry, const GltfValue& val
     primitive.material = material.material;
     Json kept = {{"POSITION", *position}};
     add_optional(geometry, attributes, "NORMAL", "NORMAL", 3, kept);
+    if (kept.contains("NORMAL")) add_optional(geometry, attributes, "TANGENT", "TANGENT", 4, kept);
     add_optional(geometry, attributes, fmt::format("TEXCOORD_{}", material.uv_set), "TEXCOORD_0", 2, kept);
     primitive.json = {{"attributes", kept}, {"mode", mode}};
     const auto indices = value.index("indices", geometry.document.root().array("accessors").size());

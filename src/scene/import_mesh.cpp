@@ -20,6 +20,7 @@ constexpr std::uint32_t kEmpty = ~0u;
 struct Vertex {
     glm::vec3 position{0}, normal{0};
     glm::vec2 uv{0};
+    glm::vec4 tangent{0};
     bool operator==(const Vertex&) const = default;
 };
 
@@ -27,7 +28,7 @@ struct Vertex {
 std::uint64_t hash(const Vertex& vertex) {
     std::uint64_t h = 0xcbf29ce484222325;
     for (const float value : {vertex.position.x, vertex.position.y, vertex.position.z, vertex.normal.x, vertex.normal.y, vertex.normal.z,
-                              vertex.uv.x, vertex.uv.y})
+                              vertex.uv.x, vertex.uv.y, vertex.tangent.x, vertex.tangent.y, vertex.tangent.z, vertex.tangent.w})
         h = (h ^ std::bit_cast<std::uint32_t>(value)) * 0x100000001b3;
     h = (h ^ (h >> 33)) * 0xff51afd7ed558ccd;
     return h ^ (h >> 33);
@@ -36,11 +37,12 @@ std::uint64_t hash(const Vertex& vertex) {
 // One mesh as it grows, with an open-addressing table of its vertices.
 struct Welder {
     Mesh mesh;
-    bool normals = false, uvs = false;
+    bool normals = false, uvs = false, tangents = false;
     std::vector<std::uint32_t> table = std::vector<std::uint32_t>(64, kEmpty);
 
     Vertex vertex(std::uint32_t i) const {
-        return {mesh.positions[i], normals ? mesh.normals[i] : glm::vec3(0), uvs ? mesh.uvs[i] : glm::vec2(0)};
+        return {mesh.positions[i], normals ? mesh.normals[i] : glm::vec3(0), uvs ? mesh.uvs[i] : glm::vec2(0),
+                tangents ? mesh.tangents[i] : glm::vec4(0)};
     }
 
     std::size_t slot(const Vertex& wanted) const {
@@ -62,6 +64,7 @@ struct Welder {
         mesh.positions.push_back(wanted.position);
         if (normals) mesh.normals.push_back(wanted.normal);
         if (uvs) mesh.uvs.push_back(wanted.uv);
+        if (tangents) mesh.tangents.push_back(wanted.tangent);
         return found;
     }
 };
@@ -86,6 +89,15 @@ std::optional<glm::vec3> unit(const aiVector3D& v) {
     return glm::vec3(n / length) + 0.0f;
 }
 
+// glTF alone has tangents. Its bitangent cross(normal, tangent) w points up in the picture (glTF 2.0, sec. 3.9.3: "+Y is up"), which is the
+// way of v in Scene, though v in the file grows downwards: w stays. Assimp hands on the bitangent in its place. 0 where there is no direction.
+glm::vec4 tangent_of(const aiMesh& mesh, unsigned at) {
+    const auto tangent = mesh.mTangents && mesh.mBitangents ? unit(mesh.mTangents[at]) : std::nullopt;
+    if (!tangent) return glm::vec4(0);
+    const float w = mesh.mBitangents[at] * (mesh.mNormals[at] ^ mesh.mTangents[at]);
+    return w > 0 || w < 0 ? glm::vec4(*tangent, w > 0 ? 1 : -1) : glm::vec4(0);
+}
+
 enum class FaceKind { polygon, point, line, non_finite, broken };
 
 FaceKind kind_of(const aiMesh& mesh, const aiFace& face) {
@@ -107,8 +119,9 @@ bool has_usable_normals(const aiMesh& mesh, const aiFace& face) {
 void add_face(Welder& into, const aiMesh& mesh, const aiFace& face, std::uint32_t material, Dropped& dropped) {
     for (unsigned i = 0; i < face.mNumIndices; ++i) {
         const unsigned at = face.mIndices[i];
-        Vertex vertex{value_of(mesh.mVertices[at]), {}, {}};
+        Vertex vertex{value_of(mesh.mVertices[at]), {}, {}, {}};
         if (into.normals) vertex.normal = *unit(mesh.mNormals[at]);
+        if (into.tangents) vertex.tangent = tangent_of(mesh, at);
         if (into.uvs && mesh.mTextureCoords[0]) {
             const aiVector3D& uv = mesh.mTextureCoords[0][at];
             if (std::isfinite(uv.x) && std::isfinite(uv.y))
@@ -193,6 +206,8 @@ std::vector<ImportedMesh> weld(std::span<const MeshPart> parts, bool keep_normal
     with_normals.normals = true;
     with_normals.uvs = without.uvs =
         std::any_of(parts.begin(), parts.end(), [](const MeshPart& p) { return p.mesh->mTextureCoords[0] != nullptr; });
+    with_normals.tangents =
+        with_normals.uvs && std::any_of(parts.begin(), parts.end(), [](const MeshPart& p) { return p.mesh->mTangents != nullptr; });
     for (Welder* welder : {&with_normals, &without}) welder->mesh.name = name, welder->mesh.face_starts = {0};
     for (const MeshPart& part : parts)
         if (!add_part(part, keep_normals, with_normals, without, dropped, report)) return {};

@@ -25,7 +25,7 @@ struct ImportedMesh {
     std::uint32_t material = 0; // of the object, otherwise
 };
 
-// Vertices are one where position, normal and uv are bit for bit the same (-0 is 0). A face keeps its normals if all of them are usable.
+// Vertices are one where position, normal, uv and tangent are bit for bit the same (-0 is 0). A face keeps its normals if all of them are usable.
 // Without `keep_normals` the file's normals are those of facets and say nothing (STL). What is wrong goes into `report`.
 std::vector<ImportedMesh> weld(std::span<const MeshPart> parts, bool keep_normals, const std::string& name, Report& report);
 

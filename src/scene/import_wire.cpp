@@ -126,8 +126,8 @@ template <class A> void transfer(A& a, Light& value) {
     transfer(a, attenuation), transfer(a, d0), transfer(a, angle), transfer(a, softness);
 }
 template <class A> void transfer(A& a, Texture& value) {
-    auto& [picture, mapping, scale] = value;
-    transfer(a, picture), transfer(a, mapping), transfer(a, scale);
+    auto& [picture, mapping, scale, wrap_u, wrap_v] = value;
+    transfer(a, picture), transfer(a, mapping), transfer(a, scale), transfer(a, wrap_u), transfer(a, wrap_v);
 }
 template <class A> void transfer(A& a, Bump& value) {
     auto& [picture, normal_map, function, amplitude, frequency] = value;
@@ -142,8 +142,8 @@ template <class A> void transfer(A& a, Material& value) {
     all(opacity, emission, two_sided, environment, texture, bump);
 }
 template <class A> void transfer(A& a, Mesh& value) {
-    auto& [name, positions, normals, uvs, corners, face_starts, face_materials] = value;
-    transfer(a, name), transfer(a, positions), transfer(a, normals), transfer(a, uvs);
+    auto& [name, positions, normals, uvs, tangents, corners, face_starts, face_materials] = value;
+    transfer(a, name), transfer(a, positions), transfer(a, normals), transfer(a, uvs), transfer(a, tangents);
     transfer(a, corners), transfer(a, face_starts), transfer(a, face_materials);
 }
 template <class A> void transfer(A& a, Object& value) {
@@ -183,7 +183,8 @@ template <class T> bool all_below(const std::vector<T>& indices, std::size_t lim
 bool is_sound(const Mesh& mesh, std::size_t materials) {
     const std::size_t vertices = mesh.positions.size(), faces = mesh.face_count();
     const auto fits = [](std::size_t size, std::size_t full) { return size == 0 || size == full; };
-    if (!fits(mesh.normals.size(), vertices) || !fits(mesh.uvs.size(), vertices) || !fits(mesh.face_materials.size(), faces)) return false;
+    if (!fits(mesh.normals.size(), vertices) || !fits(mesh.uvs.size(), vertices) || !fits(mesh.tangents.size(), vertices)) return false;
+    if (!fits(mesh.face_materials.size(), faces)) return false;
     if (mesh.face_starts.empty() || mesh.face_starts.front() != 0 || mesh.face_starts.back() != mesh.corners.size()) return false;
     for (std::size_t face = 0; face < faces; ++face)
         if (mesh.face_starts[face + 1] < mesh.face_starts[face]) return false;
@@ -194,6 +195,7 @@ bool is_sound(const Scene& scene) {
     for (const Mesh& mesh : scene.meshes)
         if (!is_sound(mesh, scene.materials.size())) return false;
     for (const Material& material : scene.materials) {
+        if (material.texture && (material.texture->wrap_u > Wrap::mirror || material.texture->wrap_v > Wrap::mirror)) return false;
         if (material.texture && material.texture->picture.value_or(0) >= scene.pictures.size() && material.texture->picture) return false;
         if (material.bump && material.bump->picture.value_or(0) >= scene.pictures.size() && material.bump->picture) return false;
     }

@@ -57,11 +57,16 @@ MtlLibrary read_libraries(ImportJob& job, const ObjContents& contents) {
     return library;
 }
 
+Texture texture_of(std::uint32_t picture, const MtlMap& map) {
+    const Wrap wrap = map.clamp ? Wrap::clamp : Wrap::repeat;
+    return {picture, Mapping::uv, map.scale, wrap, wrap};
+}
+
 Material with_pictures(ImportJob& job, const MtlMaterial& entry) {
     Material material = entry.material;
     if (entry.diffuse_map)
         if (const auto picture = add_picture_file(job, entry.diffuse_map->file))
-            material.texture = Texture{picture, Mapping::uv, entry.diffuse_map->scale};
+            material.texture = texture_of(*picture, *entry.diffuse_map);
     if (!entry.bump_map) return material;
     if (const auto picture = add_picture_file(job, entry.bump_map->file)) {
         Bump bump;

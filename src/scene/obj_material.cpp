@@ -109,11 +109,13 @@ std::optional<MtlMap> map_of(Reading& reading, std::string_view keyword, std::st
             if (!value || !std::isfinite(*value)) break;
             values.push_back(*value), rest = after;
         }
-        if (values.empty()) next_word(rest); // -clamp on, -imfchan l, -type sphere
+        const std::string_view word = values.empty() ? next_word(rest) : std::string_view(); // -clamp on, -imfchan l, -type sphere
         if (option == "-bm" && !values.empty())
             map.strength = values[0];
         else if (option == "-s" && !values.empty())
             map.scale = {values[0], values.size() > 1 ? values[1] : 1.0};
+        else if (option == "-clamp" && (word == "on" || word == "off") && keyword == "map_Kd")
+            map.clamp = word == "on";
         else
             reading.report.remark(fmt::format("{}: {} {} is not used", reading.file, keyword, clean_name(option)));
         rest = trimmed(rest);
@@ -149,14 +151,19 @@ void read_line(Reading& reading, std::string_view line, MtlLibrary& into) {
         reading.unused.insert(clean_name(keyword.substr(0, 20)));
 }
 
+// The table is in obj_material.h.
 void apply_illum(Reading& reading, MtlMaterial& entry) {
     Material& m = entry.material;
     const auto found = reading.illum.find(&entry);
     const int illum = found == reading.illum.end() ? 2 : found->second;
+    const auto given = reading.filter.find(&entry);
+    const bool filtered = given != reading.filter.end(), glass = illum == 4 || illum == 9;
+    if (illum == 0) reading.report.remark(fmt::format("{}: illum 0 (color without light) is drawn lit", reading.file));
     if (illum < 2) m.specular = glm::vec3(0);
-    if (illum < 3 || illum == 10) m.reflection = glm::vec3(0); // 10 casts shadows onto invisible surfaces
+    if (illum < 3 || illum == 10) m.reflection = glm::vec3(0);
     m.fresnel = illum == 5 || illum == 7;
-    if (illum == 6 || illum == 7) m.transmission = reading.filter.contains(&entry) ? reading.filter[&entry] : glm::vec3(1);
+    if (illum == 6 || illum == 7) m.transmission = filtered ? given->second : glm::vec3(1);
+    if (glass && filtered && given->second != glm::vec3(0)) m.opacity = 1.0f - (1.0f - m.opacity) * given->second;
 }
 
 } // namespace

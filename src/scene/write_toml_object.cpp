@@ -65,6 +65,9 @@ void shape_keys(TomlWriter& w, const MeshUse& use) {
     if (!w.scene.meshes[use.mesh].face_materials.empty())
         refuse(w.log, "a mesh with a material for each face", "split it into a mesh for each material",
                fmt::format("mesh \"{}\"", w.scene.meshes[use.mesh].name));
+    if (!w.scene.meshes[use.mesh].tangents.empty())
+        refuse(w.log, "a mesh with tangents", "OBJ and PLY have none; leave them out, and they follow from its uv",
+               fmt::format("mesh \"{}\"", w.scene.meshes[use.mesh].name));
 }
 
 void write_placement(TomlWriter& w, const glm::dmat4& world_from_object, std::string_view where) {

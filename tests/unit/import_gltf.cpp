@@ -82,7 +82,7 @@ TEST(ImportGltf, TurnsMetallicRoughnessIntoBothModels) {
     EXPECT_NEAR(m.f0->z, 0.5 * 0.04 + 0.5 * 1, 1e-6);
     EXPECT_FLOAT_EQ(m.roughness, 0.25f);
     EXPECT_FLOAT_EQ(m.shininess, 30);
-    EXPECT_NEAR(m.specular.x, std::min(0.27 * 32 / 8, 1.0), 1e-6);
+    EXPECT_EQ(m.specular, glm::vec3(1)) << "the color of the highlight is f0";
     EXPECT_EQ(m.two_sided, true);
     EXPECT_EQ(m.opacity, glm::vec3(1));
 }
@@ -101,6 +101,58 @@ TEST(ImportGltf, ReadsMaterialExtensions) {
     EXPECT_EQ(m.two_sided, false) << "doubleSided is false where it is absent";
     EXPECT_EQ(material_of(R"({"pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.25]}})").opacity, glm::vec3(1))
         << "alphaMode is OPAQUE where it is absent";
+}
+
+TEST(ImportGltf, ReadsWrapsOfSamplers) {
+    const auto wraps = [](const std::string& samplers, const std::string& texture) {
+        return import_text("a.gltf",
+                           triangle_gltf(std::string(kOneNode) + R"(,"images":[{"uri":"data:image/png;base64,aGVsbG8="}],"textures":[{)" +
+                                             texture + R"("source":0}],"samplers":[)" + samplers +
+                                             R"(],"materials":[{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])",
+                                         R"(,"material":0)"));
+    };
+    const Loaded both = wraps(R"({"wrapS":33071,"wrapT":33648},{})", R"("sampler":0,)");
+    ASSERT_TRUE(both.scene) << all_problems(both);
+    EXPECT_EQ(both.scene->materials.at(0).texture->wrap_u, Wrap::clamp);
+    EXPECT_EQ(both.scene->materials.at(0).texture->wrap_v, Wrap::mirror);
+    for (const char* texture : {R"("sampler":1,)", ""}) {
+        const Loaded none = wraps(R"({"wrapS":33071},{"wrapT":10497})", texture);
+        ASSERT_TRUE(none.scene) << all_problems(none);
+        EXPECT_EQ(none.scene->materials.at(0).texture->wrap_u, Wrap::repeat);
+        EXPECT_EQ(none.scene->materials.at(0).texture->wrap_v, Wrap::repeat);
+    }
+    EXPECT_THAT(all_problems(wraps(R"({"wrapS":1})", R"("sampler":0,)")), HasSubstr("wrapS is 1; it must be 10497"));
+    EXPECT_THAT(all_problems(wraps(R"({})", R"("sampler":7,)")), HasSubstr("sampler is 7"));
+}
+
+// Positions 0 0 0, 1 0 0, 0 1 0, normals +z, tangents +x with the w given, uv like the positions, of which v grows downwards in the file.
+std::string tangent_gltf(float w0, float w1, float w2, const std::string& left_out = "") {
+    const std::string bytes = packed<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) + packed<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}) +
+                              packed<float>({2, 0, 0, w0, 1, 0, 0, w1, 1, 0, 0, w2}) + packed<float>({0, 0, 1, 0, 0, 1});
+    std::string attributes = R"("POSITION":0,"NORMAL":1,"TANGENT":2,"TEXCOORD_0":3)";
+    if (!left_out.empty()) attributes.replace(attributes.find(left_out), left_out.size(), "_" + left_out);
+    return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":144,"uri":"data:application/octet-stream;base64,)" + base64(bytes) +
+           R"("}],"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":36},{"buffer":0,"byteOffset":72,"byteLength":48},
+           {"buffer":0,"byteOffset":120,"byteLength":24}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+           {"bufferView":1,"componentType":5126,"count":3,"type":"VEC3"},{"bufferView":2,"componentType":5126,"count":3,"type":"VEC4"},
+           {"bufferView":3,"componentType":5126,"count":3,"type":"VEC2"}],"meshes":[{"primitives":[{"attributes":{)" +
+           attributes + "}}]}]," + kOneNode + "}";
+}
+
+TEST(ImportGltf, ReadsTangents) {
+    const Loaded loaded = import_text("a.gltf", tangent_gltf(1, -1, 0));
+    ASSERT_TRUE(loaded.scene) << all_problems(loaded);
+    const Mesh& mesh = loaded.scene->meshes.at(0);
+    ASSERT_EQ(mesh.tangents.size(), mesh.positions.size());
+    EXPECT_EQ(mesh.tangents.at(mesh.corners.at(0)), glm::vec4(1, 0, 0, 1)) << "made unit";
+    EXPECT_EQ(mesh.tangents.at(mesh.corners.at(1)), glm::vec4(1, 0, 0, -1));
+    EXPECT_EQ(mesh.tangents.at(mesh.corners.at(2)), glm::vec4(0)) << "without handedness there is no way of v";
+    EXPECT_EQ(mesh.uvs.at(mesh.corners.at(2)), glm::vec2(0, 0)) << "v is turned: it grows upwards";
+    for (const char* left_out : {"TANGENT", "NORMAL", "TEXCOORD_0"}) {
+        const Loaded without = import_text("a.gltf", tangent_gltf(1, 1, 1, left_out));
+        ASSERT_TRUE(without.scene) << all_problems(without);
+        EXPECT_TRUE(without.scene->meshes.at(0).tangents.empty()) << left_out;
+    }
 }
 
 TEST(ImportGltf, KeepsEmbeddedPicturesEncoded) {

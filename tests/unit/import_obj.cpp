@@ -1,6 +1,7 @@
 // OBJ and MTL: polygons, shared vertices, materials, and the problems that Assimp would not tell.
 #include "unit/import_support.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 namespace lightbench {
@@ -172,6 +173,32 @@ TEST(ImportMtl, FollowsIllum) {
     EXPECT_EQ(material_of("Tr 0.25\n").opacity, glm::vec3(0.75f));
 }
 
+// The table of obj_material.h, row by row.
+TEST(ImportMtl, NamesTheEffectsOfEveryIllum) {
+    struct {
+        int illum;
+        bool highlight, reflection, transmission, fresnel, filtered;
+    } const rows[] = {
+        {0, false, false, false, false, false}, {1, false, false, false, false, false}, {2, true, false, false, false, false},
+        {3, true, true, false, false, false},   {4, true, true, false, false, true},    {5, true, true, false, true, false},
+        {6, true, true, true, false, false},    {7, true, true, true, true, false},     {8, true, true, false, false, false},
+        {9, true, true, false, false, true},    {10, true, false, false, false, false},
+    };
+    for (const auto& row : rows) {
+        const Material m = material_of(fmt::format("Kd 0.5\nKs 0.25\nd 0.5\nTf 1 0.5 0\nillum {}\n", row.illum));
+        EXPECT_EQ(m.specular, glm::vec3(row.highlight ? 0.25f : 0.0f)) << row.illum;
+        EXPECT_EQ(m.reflection.value_or(m.specular), glm::vec3(row.reflection ? 0.25f : 0.0f)) << row.illum;
+        EXPECT_EQ(m.transmission, row.transmission ? glm::vec3(1, 0.5f, 0) : glm::vec3(0)) << row.illum;
+        EXPECT_EQ(m.fresnel, row.fresnel) << row.illum;
+        EXPECT_EQ(m.opacity, row.filtered ? glm::vec3(0.5f, 0.75f, 1) : glm::vec3(0.5f)) << row.illum;
+        EXPECT_EQ(m.diffuse, glm::vec3(0.5f)) << row.illum;
+    }
+    EXPECT_EQ(material_of("Tf 1 1 1\nillum 4\n").opacity, glm::vec3(1)) << "writers put Tf into opaque materials";
+    EXPECT_EQ(material_of("Tf 0 0 0\nd 0.5\nillum 9\n").opacity, glm::vec3(0.5f));
+    EXPECT_THAT(all_remarks(import_with("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n", "newmtl a\nillum 0\n")),
+                HasSubstr("illum 0 (color without light) is drawn lit"));
+}
+
 TEST(ImportMtl, RemarksWhatItDoesNotUse) {
     const std::string obj = "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
     EXPECT_THAT(all_remarks(import_with(obj, "newmtl a\nKa 1 0 0\nKd 0 1 0\n")), HasSubstr("Ka is not used"));
@@ -203,6 +230,9 @@ TEST(ImportMtl, ReferencesPicturesWithoutReadingThem) {
     ASSERT_TRUE(m.texture && m.bump);
     EXPECT_EQ(m.texture->picture, 0u);
     EXPECT_EQ(m.texture->scale, glm::dvec2(2, 3));
+    EXPECT_EQ(m.texture->wrap_u, Wrap::clamp);
+    EXPECT_EQ(m.texture->wrap_v, Wrap::clamp);
+    EXPECT_EQ(all_remarks(loaded), "");
     EXPECT_EQ(m.bump->amplitude, 0.5 * Bump{}.amplitude);
     EXPECT_FALSE(m.bump->normal_map);
 }

@@ -21,10 +21,11 @@ Imported everything() {
     s.cameras.resize(1), s.cameras[0].name = "eye", s.cameras[0].hither = 2;
     s.lights.resize(2), s.lights[1].type = LightType::spot, s.lights[1].softness = 0.75;
     s.materials.resize(2), s.materials[1].name = "m", s.materials[1].f0 = glm::vec3(0.25f), s.materials[1].two_sided = true;
-    s.materials[1].texture = Texture{0u, Mapping::planar, {2, 3}}, s.materials[1].bump = Bump{};
+    s.materials[1].texture = Texture{0u, Mapping::planar, {2, 3}, Wrap::clamp, Wrap::mirror}, s.materials[1].bump = Bump{};
     s.transforms.push_back(glm::dmat4(2));
     s.pictures = {{"a.png", {1, 2, 3}}};
-    s.meshes = {{"mesh", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {}, {0, 1, 2}, {0, 3}, {1}}};
+    s.meshes = {{"mesh", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {}, {}, {0, 1, 2}, {0, 3}, {1}}};
+    s.meshes[0].tangents.assign(3, {1, 0, 0, -1});
     s.objects = {{MeshUse{0}, 1, 1, 0.5f, 2}};
     all.report.problem_at(7, "text");
     return all;
@@ -52,6 +53,7 @@ TEST(ImportWire, BringsEverythingOver) {
     EXPECT_EQ(b.pictures, a.pictures);
     EXPECT_EQ(b.meshes.at(0).positions, a.meshes[0].positions);
     EXPECT_EQ(b.meshes.at(0).normals, a.meshes[0].normals);
+    EXPECT_EQ(b.meshes.at(0).tangents, a.meshes[0].tangents);
     EXPECT_EQ(b.meshes.at(0).corners, a.meshes[0].corners);
     EXPECT_EQ(b.meshes.at(0).face_materials, a.meshes[0].face_materials);
     EXPECT_EQ(std::get<MeshUse>(b.objects.at(0).shape).mesh, 0u);

@@ -109,6 +109,19 @@ TEST_F(WriteFormats, NffIsHaines) {
     EXPECT_THAT(all, HasSubstr("\np 4\n12 12 -0.5\n"));
 }
 
+TEST_F(WriteFormats, TomlRefusesWhatItCannotSay) {
+    Scene scene = one(MeshUse{0});
+    scene.meshes = {{"rug", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {{0, 0}, {1, 0}, {0, 1}}, {}, {0, 1, 2}, {0, 3}, {}}};
+    EXPECT_THAT(complaints(scene, "a.toml"), IsEmpty());
+    scene.meshes[0].tangents.assign(3, {1, 0, 0, 1});
+    EXPECT_THAT(complaints(scene, "a.toml"), ElementsAre(HasSubstr("mesh \"rug\": a mesh with tangents cannot be written")));
+    scene = one(Sphere{});
+    scene.materials[0].texture = Texture{};
+    EXPECT_THAT(complaints(scene, "a.toml"), IsEmpty());
+    scene.materials[0].texture->wrap_v = Wrap::mirror;
+    EXPECT_THAT(complaints(scene, "a.toml"), ElementsAre(HasSubstr("material \"m\": a texture that clamps or mirrors")));
+}
+
 TEST_F(WriteFormats, NffRefusesWhatItCannotSay) {
     EXPECT_THAT(complaints(one(Box{}), "a.nff"), ElementsAre("object 1: a box cannot be written; NFF has none; write .toml"));
     EXPECT_THAT(complaints(one(Torus{}), "a.nff"), ElementsAre(HasSubstr("a torus")));
