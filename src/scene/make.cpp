@@ -48,6 +48,16 @@ constexpr MakeParameter kMesh[] = {{"triangles", 1e6, 12, kMeshMax, true, "about
                                     "50 000 000 fill a PLY file of 1 GiB, the most that is read"},
                                    {"bumps", 9, 0, 100, true, "waves around the body; 0: a sphere"}};
 
+constexpr MakeParameter kTeapot[] = {{"pieces", 16, 1, 128, true, "that each side of a patch is cut into"},
+                                     {"environment", 1, 0, 1, false, "weight of environment mapping; 1: chrome"}};
+constexpr MakeParameter kMetals[] = {{"rows", 4, 1, 16, true, "roughnesses, smooth ones in front"},
+                                     {"smoothest", 0.1, 0.001, 10, false, "rms slope m of the front row"},
+                                     {"roughest", 0.5, 0.001, 10, false, "of the back row; those between in equal ratios"}};
+constexpr MakeParameter kPanes[] = {
+    {"n", 1000, 1, 100000, true, "panes that all overlap, listed out of order", "no picture of more ends in reasonable time"},
+    {"opacity", 0.01, 0, 1, false, "of each pane, in the channels that it colors; half of it in the others"},
+    {"tilt", 0, 0, 80, false, "degrees, by which panes lean at most, each its own way; above 0 they intersect"}};
+
 constexpr MakeKind kKinds[] = {
     {"sphereflake", "balls on balls, nine to each, a third in size (Haines 1987, SPD `balls`)", kSphereflake, make_sphereflake},
     {"primitives", "one of each shape on a floor, three lights", {}, make_primitives},
@@ -63,6 +73,10 @@ constexpr MakeKind kKinds[] = {
     {"room", "a closed, diffuse room with a lamp, seen from inside", kRoom, make_room},
     {"lights", "n coloured point lights over a field of objects", kLights, make_lights},
     {"mesh", "one closed bumpy mesh of about so many triangles", kMesh, make_mesh},
+    {"teapot", "Newell's teapot (1975): 32 Bezier patches, of chrome", kTeapot, make_teapot},
+    {"metals", "copper, gold, silver and aluminium of Cook-Torrance (left of each pair) beside Phong, smooth to rough", kMetals,
+     make_metals},
+    {"panes", "n translucent panes behind each other, out of order", kPanes, make_panes},
 };
 
 template <typename Rows> std::vector<std::string_view> names_of(const Rows& rows) {

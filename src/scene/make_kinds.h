@@ -21,6 +21,9 @@ Scene make_mirrors(const MakeValues&);
 Scene make_room(const MakeValues&);
 Scene make_lights(const MakeValues&);
 Scene make_mesh(const MakeValues&);
+Scene make_teapot(const MakeValues&);
+Scene make_metals(const MakeValues&);
+Scene make_panes(const MakeValues&);
 
 constexpr double radians_of(double degrees) {
     return degrees * (std::numbers::pi / 180);
