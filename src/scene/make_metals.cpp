@@ -1,6 +1,7 @@
 // Metals of Cook-Torrance beside Phong: each metal a pair of columns, each roughness a row. Metres, the floor at y = 0.
 #include "scene/make_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>

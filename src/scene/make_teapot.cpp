@@ -3,6 +3,7 @@
 // the Teapot", prints them: 32 patches, of which the symmetry of the pot leaves 10 curves and strips. Up is +Y here, and units are his.
 #include "scene/make_kinds.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 

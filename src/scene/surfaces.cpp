@@ -3,6 +3,7 @@
 
 #include "scene/primitive_meshes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lightbench {

@@ -3,6 +3,8 @@
 
 #include "scene/normals.h"
 
+#include <cmath>
+
 namespace lightbench {
 namespace {
 
