@@ -21,7 +21,7 @@ struct CompareArguments {
 };
 
 Comparison compare_files(const CompareArguments& arguments) {
-    const Picture reference = read_image(arguments.reference), test = read_image(arguments.test);
+    const AnyImage reference = read_image(arguments.reference), test = read_image(arguments.test);
     try {
         return compare(reference, test);
     } catch (const std::invalid_argument& error) {

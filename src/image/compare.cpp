@@ -10,13 +10,13 @@
 namespace lightbench {
 namespace {
 
-Image8 displayed(const Picture& picture) {
+Image8 displayed(const AnyImage& picture) {
     if (const auto* linear = std::get_if<ImageF>(&picture)) return display(*linear);
     return std::get<Image8>(picture);
 }
 
 // NaN is displayed as black: without this, a hole in the picture would pass a gate on FLIP wherever the reference is dark.
-void mark_non_finite(FlipMap& map, const Picture& picture) {
+void mark_non_finite(FlipMap& map, const AnyImage& picture) {
     const auto* linear = std::get_if<ImageF>(&picture);
     if (!linear) return;
     for (std::size_t i = 0; i < map.error.size(); ++i) {
@@ -36,7 +36,7 @@ std::array<std::uint8_t, 3> cubehelix(double t) {
 
 } // namespace
 
-Comparison compare(const Picture& reference, const Picture& test) {
+Comparison compare(const AnyImage& reference, const AnyImage& test) {
     Image8 shown_reference = displayed(reference), shown_test = displayed(test);
     const auto *a = std::get_if<ImageF>(&reference), *b = std::get_if<ImageF>(&test);
     Comparison result;

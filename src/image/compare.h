@@ -18,7 +18,7 @@ struct Comparison {
 
 // Linear pictures are displayed (exposure 0, clamp, sRGB) for FLIP, and for the metrics too when the other one is not linear.
 // Throws std::invalid_argument when the sizes differ.
-Comparison compare(const Picture& reference, const Picture& test);
+Comparison compare(const AnyImage& reference, const AnyImage& test);
 
 // FLIP as a picture: from black (none) over blue, green and pink to white (1), ever lighter.
 Image8 difference_picture(const FlipMap& map);

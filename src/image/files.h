@@ -32,8 +32,8 @@ void write_exr(const std::string& path, const ImageF& image, std::span<const Exr
 std::vector<ExrLayer> read_exr(const std::string& path);
 
 // ImageF: linear (EXR, HDR). Image8: sRGB encoded (PNG, JPEG).
-using Picture = std::variant<ImageF, Image8>;
-Picture read_image(const std::string& path);
-Picture decode_image(std::span<const unsigned char> bytes, const std::string& name); // the same from memory; the name is for messages
+using AnyImage = std::variant<ImageF, Image8>;
+AnyImage read_image(const std::string& path);
+AnyImage decode_image(std::span<const unsigned char> bytes, const std::string& name); // the same from memory; the name is for messages
 
 } // namespace lightbench

@@ -37,11 +37,11 @@ std::vector<ExrLayer> read_exr(const std::string& path) {
     return decode::exr(read_file(path), path);
 }
 
-Picture read_image(const std::string& path) {
+AnyImage read_image(const std::string& path) {
     return decode_image(read_file(path), path);
 }
 
-Picture decode_image(std::span<const unsigned char> bytes, const std::string& name) {
+AnyImage decode_image(std::span<const unsigned char> bytes, const std::string& name) {
     if (starts_with(bytes, "\x89PNG\r\n\x1a\n")) return decode::png(bytes, name);
     if (starts_with(bytes, "\xff\xd8\xff")) return decode::jpeg(bytes, name);
     if (starts_with(bytes, "#?")) return decode::radiance_hdr(bytes, name);

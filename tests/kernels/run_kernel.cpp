@@ -4,6 +4,7 @@
 #include "gpu/buffer.h"
 #include "gpu/check.h"
 #include "gpu/recorder.h"
+#include "shared/effects.h"
 
 #include <algorithm>
 
@@ -25,7 +26,8 @@ void check_flags(KernelRun& run, std::span<const std::uint32_t> flags, std::size
         if (flags[i] != i + 1 && run.missing++ == 0) run.first_missing = first + i;
 }
 
-void run_part(gpu::Device& device, const gpu::ComputePipeline& pipeline, KernelRun& run, std::size_t first, std::size_t count) {
+void run_part(gpu::Device& device, const gpu::ComputePipeline& pipeline, KernelRun& run, gpu::Buffer& words, std::size_t first,
+              std::size_t count) {
     constexpr auto kStorage = vk::BufferUsageFlagBits::eStorageBuffer;
     const std::span<const float> arguments(run.inputs.values.data() + first * run.inputs.arity, count * run.inputs.arity);
     gpu::Buffer in = gpu::make_filled_buffer(device, "arguments", arguments, kStorage);
@@ -34,8 +36,9 @@ void run_part(gpu::Device& device, const gpu::ComputePipeline& pipeline, KernelR
     gpu::Recorder recorder(device);
     recorder.fill(flags, 0);
     const Push push{static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(run.inputs.arity), static_cast<std::uint32_t>(run.arity)};
-    recorder.compute(run.kernel, pipeline, {{"Arguments", in}, {"Results", out}, {"Flags", flags}}, push,
-                     {(push.count + kGroup - 1) / kGroup});
+    gpu::Bindings bindings{{"Arguments", in}, {"Results", out}, {"Flags", flags}};
+    if (words) bindings.insert(bindings.end(), {{"texels", words}, {"texels_storage", words}});
+    recorder.compute(run.kernel, pipeline, bindings, push, {(push.count + kGroup - 1) / kGroup});
     recorder.submit_and_wait();
     const std::vector<float> results = gpu::download_all<float>(device, out);
     run.results.insert(run.results.end(), results.begin(), results.end());
@@ -52,12 +55,18 @@ const gpu::ShaderCode& find_kernel(std::string_view name) {
     return *found;
 }
 
-KernelRun run_kernel(gpu::Device& device, const std::string& name, Inputs inputs, std::size_t result_arity) {
-    const gpu::ComputePipeline pipeline = gpu::make_compute(device, find_kernel(name), {}, sizeof(Push));
+KernelRun run_kernel(gpu::Device& device, const std::string& name, Inputs inputs, std::size_t result_arity, const Words& words) {
+    gpu::Buffer table;
+    if (!words.empty()) {
+        table = gpu::make_texel_buffer(device, "texels", words.size() * sizeof(words[0]));
+        gpu::upload(device, table, std::as_bytes(std::span(words)));
+    }
+    const gpu::Constants constants{{CONSTANT_FETCH_STORAGE, table && !table.as_texel() ? FETCH_TEXELS : 0u}};
+    const gpu::ComputePipeline pipeline = gpu::make_compute(device, find_kernel(name), constants, sizeof(Push));
     KernelRun run{name, std::move(inputs), result_arity, {}, 0, 0};
     run.results.reserve(run.inputs.count() * result_arity);
     for (std::size_t first = 0; first < run.inputs.count(); first += kTuplesADispatch)
-        run_part(device, pipeline, run, first, std::min(kTuplesADispatch, run.inputs.count() - first));
+        run_part(device, pipeline, run, table, first, std::min(kTuplesADispatch, run.inputs.count() - first));
     return run;
 }
 

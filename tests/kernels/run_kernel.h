@@ -6,6 +6,8 @@
 #include "gpu/device.h"
 #include "gpu/shader_code.h"
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 namespace lightbench::kernels {
@@ -22,6 +24,9 @@ struct KernelRun {
 
 const gpu::ShaderCode& find_kernel(std::string_view name);
 
-KernelRun run_kernel(gpu::Device& device, const std::string& name, Inputs inputs, std::size_t result_arity = 1);
+using Words = std::vector<std::array<std::uint32_t, 4>>;
+
+// words: the table `texels` of kernels that read pictures (shaders/texel_kernel.glsl).
+KernelRun run_kernel(gpu::Device& device, const std::string& name, Inputs inputs, std::size_t result_arity = 1, const Words& words = {});
 
 } // namespace lightbench::kernels

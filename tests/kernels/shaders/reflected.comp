@@ -1,0 +1,9 @@
+// (n, v) -> reflected
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define KERNEL_ARGUMENTS 6
+#define KERNEL_RESULTS 3
+#include "kernel.glsl"
+#include "lib/environment.glsl"
+
+void kernel() { result3(0, reflected(argument3(0), argument3(3))); }
