@@ -1,4 +1,4 @@
-// The illumination model: the only place where its terms are added up (S1 to S5). Evaluated at polygon centres (flat), at vertices
+// The illumination model: the only place where its terms are added up (S1 to S6, S12). Evaluated at polygon centres (flat), at vertices
 // (Gouraud), at fragments (Phong). In: a point of a surface and its material. Out: the radiance that leaves it towards the viewer.
 #ifndef LIGHTBENCH_SHADE_GLSL
 #define LIGHTBENCH_SHADE_GLSL
@@ -7,6 +7,8 @@
 #include "shared/layouts.h"
 #include "fetch.glsl"
 #include "lib/attenuation.glsl"
+#include "lib/cook_torrance.glsl"
+#include "lib/fresnel.glsl"
 #include "lib/phong.glsl"
 #include "lib/spot.glsl"
 #include "lib/sum.glsl"
@@ -20,9 +22,18 @@ layout(push_constant, scalar) uniform Push { ShadePush push; };
 
 FETCH_TABLE(materials, FETCH_MATERIALS, 0)
 FETCH_TABLE(lights, FETCH_LIGHTS, 2)
+FETCH_TABLE(texels, FETCH_TEXELS, 14)
 
 // 2^-126: keeps 1/sqrt finite at 0, and changes nothing above.
 const float kLeastNormal = 1.1754944e-38;
+
+const uint kMaterialTexels = 13u;
+const TexelInfo kNoTexels = TexelInfo(0u, 0u, 0u, 0u);
+const Material kNoMaterial =
+    Material(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, kNoTexels, kNoTexels, vec2(0.0), 0.0, 0.0,
+             vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), vec4(0.0), vec4(0.0));
+
+TexelInfo texel_info(uvec4 v) { return TexelInfo(v.x, v.y, v.z, v.w); }
 
 struct Surface {
     vec3 position;   // frame
@@ -41,14 +52,44 @@ bool wants(uint effect) { return (kEffects & effect) != 0u; }
 // True if `effect` is the only one of `family` in the mask: then nobody needs to ask a light which it is.
 bool only(uint effect, uint family) { return (kEffects & family) == effect; }
 
+bool of_kind(uint effect, uint family, uint kind, uint wanted) { return only(effect, family) || kind == wanted; }
+
 // Only what a term of the mask reads is fetched; the rest is 0.
 Material read_material(uint index) {
-    uint at = wants(EFFECT_MANY_MATERIALS) ? 3u * index : 0u;
-    uvec4 a = uvec4(0u), b = uvec4(0u), c = uvec4(0u);
-    if (wants(EFFECT_AMBIENT | EFFECT_DIFFUSE | EFFECT_SPECULAR)) a = fetch_materials(at);
-    if (wants(EFFECT_SPECULAR)) b = fetch_materials(at + 1u);
-    if (wants(EFFECT_EMISSION)) c = fetch_materials(at + 2u);
-    return Material(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), 0u, uintBitsToFloat(c.xyz), 0.0);
+    uint at = wants(EFFECT_MANY_MATERIALS) ? kMaterialTexels * index : 0u;
+    Material m = kNoMaterial;
+    const uint detail = EFFECT_ANY_TEXTURE | EFFECT_ANY_BUMP, pictures = EFFECT_BUMP_HEIGHT | EFFECT_NORMAL_MAP;
+    if (wants(EFFECT_AMBIENT | EFFECT_DIFFUSE | EFFECT_SPECULAR)) {
+        uvec4 a = fetch_materials(at);
+        m.diffuse = uintBitsToFloat(a.xyz), m.shininess = uintBitsToFloat(a.w);
+    }
+    if (wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | detail)) {
+        uvec4 a = fetch_materials(at + 1u);
+        m.specular = uintBitsToFloat(a.xyz), m.kinds = a.w;
+    }
+    if (wants(EFFECT_EMISSION)) m.emission = uintBitsToFloat(fetch_materials(at + 2u).xyz);
+    if (wants(EFFECT_COOK_TORRANCE)) {
+        uvec4 a = fetch_materials(at + 3u);
+        m.ior = uintBitsToFloat(a.xyz), m.roughness = uintBitsToFloat(a.w);
+    }
+    if (wants(EFFECT_COOK_TORRANCE | EFFECT_TRANSPARENCY)) {
+        uvec4 a = fetch_materials(at + 4u);
+        m.opacity = uintBitsToFloat(a.xyz), m.lobe = uintBitsToFloat(a.w);
+    }
+    if (wants(EFFECT_TEXTURE)) m.texture = texel_info(fetch_materials(at + 5u));
+    if (wants(pictures)) m.bump = texel_info(fetch_materials(at + 6u));
+    if (wants(detail)) {
+        uvec4 a = fetch_materials(at + 7u);
+        m.repeats = uintBitsToFloat(a.xy), m.amplitude = uintBitsToFloat(a.z);
+    }
+    if (wants(EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE)) m.bump_scale = uintBitsToFloat(fetch_materials(at + 8u).xyz);
+    if (wants(EFFECT_MIRROR_ENVIRONMENT)) m.mirror = uintBitsToFloat(fetch_materials(at + 9u).xyz);
+    if (wants(EFFECT_MAP_SPHERICAL | EFFECT_MAP_CYLINDRICAL | EFFECT_MAP_PLANAR | EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE)) {
+        m.map_x = uintBitsToFloat(fetch_materials(at + 10u));
+        m.map_y = uintBitsToFloat(fetch_materials(at + 11u));
+        m.map_z = uintBitsToFloat(fetch_materials(at + 12u));
+    }
+    return m;
 }
 
 Light read_light(uint index) {
@@ -61,7 +102,7 @@ Light read_light(uint index) {
 
 // Unit vector from p to the viewer; 0 where no term reads it.
 vec3 direction_to_viewer(vec3 p) {
-    if (!wants(EFFECT_SPECULAR)) return vec3(0.0);
+    if (!wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | EFFECT_MIRROR_ENVIRONMENT | EFFECT_ANY_BUMP)) return vec3(0.0);
     vec3 to_eye = push.eye - p;
     return to_eye * inversesqrt(max(dot(to_eye, to_eye), kLeastNormal));
 }
@@ -98,25 +139,48 @@ Arrival arrive(Light light, vec3 p) {
     return arrive_positional(light, p);
 }
 
+// S3, S6. What multiplies ks Ip, by the material's model.
+vec3 highlight(Surface s, Material m, vec3 l) {
+    const uint models = EFFECT_SPECULAR | EFFECT_COOK_TORRANCE;
+    uint model = m.kinds & 15u;
+    vec3 factor = vec3(0.0);
+    if (wants(EFFECT_SPECULAR)) {
+        float phong = phong_specular(s.normal, l, s.to_viewer, m.shininess);
+        if (of_kind(EFFECT_SPECULAR, models, model, kModelPhong)) factor = vec3(phong);
+    }
+    if (wants(EFFECT_GAUSSIAN)) {
+        vec3 lobe = cook_torrance_gaussian(s.normal, l, s.to_viewer, m.roughness, m.lobe, m.ior);
+        if (of_kind(EFFECT_GAUSSIAN, models, model, kModelGaussian)) factor = lobe;
+    }
+    if (wants(EFFECT_BECKMANN)) {
+        vec3 lobe = cook_torrance_beckmann(s.normal, l, s.to_viewer, m.roughness, m.lobe, m.ior);
+        if (of_kind(EFFECT_BECKMANN, models, model, kModelBeckmann)) factor = lobe;
+    }
+    return factor;
+}
+
+// Which of the terms: what is proportional to kd, which a texture modulates, and what is not.
+const uint kPartDiffuse = 1u, kPartRest = 2u, kPartAll = 3u;
+
 // The terms of one light.
-vec3 reflect_light(Surface s, Material m, Arrival a) {
+vec3 reflect_light(Surface s, Material m, Arrival a, uint part) {
     if (kOutput == OUTPUT_ATTENUATION) return a.intensity;
     vec3 factor = vec3(0.0);
-    if (wants(EFFECT_DIFFUSE)) factor += m.diffuse * lambert(s.normal, a.l);                                     // S2
-    if (wants(EFFECT_SPECULAR)) factor += m.specular * phong_specular(s.normal, a.l, s.to_viewer, m.shininess);  // S3
+    if (wants(EFFECT_DIFFUSE) && (part & kPartDiffuse) != 0u) factor += m.diffuse * lambert(s.normal, a.l);                  // S2
+    if (wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE) && (part & kPartRest) != 0u) factor += m.specular * highlight(s, m, a.l);
     return factor * a.intensity;
 }
 
 // S5. All lights of this pass. A driver that ends loops early without a word (lavapipe: 65 535 iterations for eight invocations)
 // is found out by the count: the sum becomes NaN, which the census of the image reports.
-vec3 sum_lights(Surface s, Material m) {
+vec3 sum_lights(Surface s, Material m, uint part) {
     uint first = kLightCount != 0u ? 0u : push.first_light;
     uint end = kLightCount != 0u ? kLightCount : push.end_light;
     uint i = first;
     Sum3 compensated = sum_start();
     vec3 plain = vec3(0.0);
     for (; i < end; ++i) {
-        vec3 term = reflect_light(s, m, arrive(read_light(i), s.position));
+        vec3 term = reflect_light(s, m, arrive(read_light(i), s.position), part);
         if (wants(EFFECT_COMPENSATED_SUM)) sum_add(compensated, term);
         else plain += term;
     }
@@ -125,12 +189,24 @@ vec3 sum_lights(Surface s, Material m) {
     return sum;
 }
 
-vec3 shade(Surface s, Material m) {
+vec3 shade_part(Surface s, Material m, uint part) {
     vec3 radiance = vec3(0.0);
-    if (wants(EFFECT_EMISSION)) radiance += m.emission;
-    if (wants(EFFECT_AMBIENT)) radiance += m.diffuse * push.ambient;                                             // S1
-    if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) radiance += sum_lights(s, m);
+    if (wants(EFFECT_EMISSION) && (part & kPartRest) != 0u) radiance += m.emission;
+    if (wants(EFFECT_AMBIENT) && (part & kPartDiffuse) != 0u) radiance += m.diffuse * push.ambient;              // S1
+    if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) radiance += sum_lights(s, m, part);
     return radiance;
+}
+
+vec3 shade(Surface s, Material m) { return shade_part(s, m, kPartAll); }
+
+// S12. What of the environment's radiance, which arrives from the mirror direction, leaves towards the viewer.
+vec3 mirror_factor(Surface s, Material m) {
+    vec3 factor = m.mirror;
+    if (wants(EFFECT_COOK_TORRANCE)) {
+        vec3 reflectance = fresnel(clamp(dot(s.normal, s.to_viewer), 0.0, 1.0), m.ior);
+        if ((m.kinds & 15u) != kModelPhong) factor *= reflectance;
+    }
+    return factor;
 }
 
 #endif

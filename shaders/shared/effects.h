@@ -5,7 +5,7 @@
 
 #define EFFECT_AMBIENT 0x1u                     // S1
 #define EFFECT_DIFFUSE 0x2u                     // S2
-#define EFFECT_SPECULAR 0x4u                    // S3
+#define EFFECT_SPECULAR 0x4u                    // S3: Phong's
 #define EFFECT_EMISSION 0x8u                    // surfaces that glow of themselves
 #define EFFECT_POINT_LIGHT 0x10u                // S5: which kinds of light there are
 #define EFFECT_DIRECTIONAL_LIGHT 0x20u
@@ -31,7 +31,13 @@
 #define EFFECT_NORMAL_MAP 0x2000000u
 #define EFFECT_MIRROR_ENVIRONMENT 0x4000000u    // S12: some material mirrors the environment
 #define EFFECT_SIX_FACES 0x8000000u             // the environment is six faces, not one equirectangular picture
+#define EFFECT_BACKGROUND_MAP 0x20000000u       // it stands behind the scene
 #define EFFECT_TRANSPARENCY 0x10000000u         // S13: some opacity is below 1
+
+#define EFFECT_ANY_MAPPING (EFFECT_MAP_UV | EFFECT_MAP_SPHERICAL | EFFECT_MAP_CYLINDRICAL | EFFECT_MAP_PLANAR)
+#define EFFECT_ANY_TEXTURE (EFFECT_TEXTURE | EFFECT_CHECKER)
+#define EFFECT_ANY_BUMP (EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE | EFFECT_BUMP_HEIGHT | EFFECT_NORMAL_MAP)
+#define EFFECT_COOK_TORRANCE (EFFECT_GAUSSIAN | EFFECT_BECKMANN)
 
 // Specialisation constants: constant_id of each.
 #define CONSTANT_EFFECTS 0                      // the mask above
@@ -39,6 +45,7 @@
 #define CONSTANT_OUTPUT 2                       // OUTPUT_...
 #define CONSTANT_LIGHT_COUNT 3                  // lights, if few (then loops have a constant end); 0: from the push constants
 #define CONSTANT_FETCH_STORAGE 4                // FETCH_... bits of the tables that are storage buffers; the others are texel buffers
+#define CONSTANT_LAYERS 5                       // of the passes over layers: see there
 
 #define FETCH_MATERIALS 0x1u
 #define FETCH_LIGHTS 0x2u
@@ -47,6 +54,7 @@
 #define FETCH_OBJECTS 0x10u
 #define FETCH_TEXELS 0x20u
 #define FETCH_DETAIL 0x40u
+#define FETCH_LAYERS 0x80u
 
 #define SHADING_FLAT 0u
 #define SHADING_GOURAUD 1u

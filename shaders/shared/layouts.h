@@ -75,7 +75,7 @@ struct Material {
     vec3 specular;     // ks
     uint kinds;        // kModel... | kTexture... << 4 | kMap... << 8 | kBump... << 12
     vec3 emission;     // radiance
-    float environment; // weight of environment mapping
+    float pad0;
     vec3 ior;          // Cook-Torrance: index of refraction per channel
     float roughness;   // rms slope m
     vec3 opacity;      // t
@@ -84,9 +84,11 @@ struct Material {
     TexelInfo bump;
     vec2 repeats;      // of texture and bump pictures
     float amplitude;   // of the bump: frame units; of a normal map: its scale
-    float pad0;
-    vec3 bump_scale;   // waves and noise: their argument is bump_scale * (mapping-space point), cycles
     float pad1;
+    vec3 bump_scale;   // waves and noise: their argument is bump_scale * (mapping-space point), cycles
+    float pad2;
+    vec3 mirror;       // weight of environment mapping, times kr where the material names one
+    float pad3;
     vec4 map_x, map_y, map_z; // mapping_from_frame, a row each: the object's box becomes [-1, 1] on each axis; z is the polar axis
 };
 
@@ -116,6 +118,16 @@ struct ShadePush {
     TexelInfo environment;
 };
 
+// Of the passes over a tile's lists of layers.
+struct LayersPush {
+    uvec2 origin;      // pixels, of the tile in the image
+    uvec2 size;        // pixels, of the tile
+    uint run;          // keys of a sorted run
+    uint deep_count;   // pixels with many layers
+    uint pairs;        // of runs, of the pixel that has most
+    uint pad0;
+};
+
 struct DisplayPush {
     uvec2 offset;      // pixels, of the crop in the image
     uvec2 size;        // pixels, of the crop
@@ -137,8 +149,8 @@ struct Census {
 
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
-static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 192 && sizeof(Light) == 64);
-static_assert(sizeof(ShadePush) == 128 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
+static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 208 && sizeof(Light) == 64);
+static_assert(sizeof(ShadePush) == 128 && sizeof(LayersPush) == 32 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif
 #endif

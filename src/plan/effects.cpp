@@ -39,7 +39,21 @@ Verdict diffuse(const Facts& f, const Request&) {
 Verdict specular(const Facts& f, const Request&) {
     if (f.lights == 0) return no("there is no light");
     if (f.specular_materials == 0) return no("no material has ks > 0");
-    return yes("{}", share(f.specular_materials, f.materials, "ks > 0"));
+    if (f.phong_materials == 0) return no("highlights are all by Cook and Torrance");
+    return yes("{}", share(f.phong_materials, f.materials, "ks > 0"));
+}
+
+Verdict of_distribution(const Facts& f, std::size_t n, std::string_view name) {
+    if (n == 0) return no("no material uses it");
+    if (f.lights == 0) return no("there is no light");
+    return yes("{}", share(n, f.materials, name));
+}
+
+Verdict gaussian(const Facts& f, const Request&) {
+    return of_distribution(f, f.gaussian_materials, "ks > 0 and this distribution");
+}
+Verdict beckmann(const Facts& f, const Request&) {
+    return of_distribution(f, f.beckmann_materials, "ks > 0 and this distribution");
 }
 
 Verdict emission(const Facts& f, const Request&) {
@@ -95,13 +109,6 @@ Verdict vanishing_normals(const Facts& f, const Request& r) {
     return yes("{}", f.geometry ? "the file's normals may cancel inside of a triangle" : "the file has normals of its own");
 }
 
-Verdict many_materials(const Facts& f, const Request& r) {
-    const bool read = ambient(f, r).wanted || diffuse(f, r).wanted || specular(f, r).wanted || emission(f, r).wanted;
-    if (!read) return no("no property of a material changes the image");
-    if (f.materials == 1) return no("every surface has the same material");
-    return yes("{}", counted(f.materials, "material"));
-}
-
 // A plain float sum of n terms errs by at most (n - 1) u; LI-6 asks for 8 u.
 Verdict compensated_sum(const Facts& f, const Request& r) {
     if (!is_lit(f, r)) return no("no light is summed");
@@ -113,15 +120,86 @@ Verdict of_materials(std::size_t n, std::string_view none) {
     return n > 0 ? yes("{}", counted(n, "material")) : no("{}", none);
 }
 
-Verdict cook_torrance(const Facts& f, const Request&) {
-    return of_materials(f.cook_torrance_materials, "no material uses it");
+// kd is what a texture modulates.
+Verdict of_texture(const Facts& f, const Request& r, std::size_t n, std::string_view none) {
+    if (n == 0) return no("{}", none);
+    if (!ambient(f, r).wanted && !diffuse(f, r).wanted) return no("{}, but nothing shows its kd", counted(n, "material"));
+    return yes("{}", counted(n, "material"));
 }
-Verdict texture(const Facts& f, const Request&) {
-    return of_materials(f.textured_materials, "no material has one");
+
+Verdict texture(const Facts& f, const Request& r) {
+    return of_texture(f, r, f.picture_materials, "no material has a picture");
 }
-Verdict bump(const Facts& f, const Request&) {
-    return of_materials(f.bumped_materials, "no material has one");
+Verdict checker(const Facts& f, const Request& r) {
+    return of_texture(f, r, f.checker_materials, "no material has one");
 }
+
+Verdict of_bump(const Facts& f, const Request& r, std::size_t n) {
+    if (n == 0) return no("no material has one");
+    if (!is_lit(f, r) && f.environment_materials == 0) return no("{}, but no term reads normals", counted(n, "material"));
+    return yes("{}", counted(n, "material"));
+}
+
+Verdict bump_waves(const Facts& f, const Request& r) {
+    return of_bump(f, r, f.wave_materials);
+}
+Verdict bump_noise(const Facts& f, const Request& r) {
+    return of_bump(f, r, f.noise_materials);
+}
+Verdict bump_height(const Facts& f, const Request& r) {
+    return of_bump(f, r, f.height_materials);
+}
+Verdict normal_map(const Facts& f, const Request& r) {
+    return of_bump(f, r, f.normal_map_materials);
+}
+
+Verdict of_mapping(const Facts& f, const Request& r, Mapping mapping) {
+    const std::size_t n = f.mappings[static_cast<std::size_t>(mapping)];
+    if (n == 0) return no("nothing is mapped so");
+    if (!texture(f, r).wanted && !checker(f, r).wanted && !bump_height(f, r).wanted && !normal_map(f, r).wanted)
+        return no("nothing that is mapped is drawn");
+    return yes("{}", counted(n, "object"));
+}
+
+Verdict map_uv(const Facts& f, const Request& r) {
+    return of_mapping(f, r, Mapping::uv);
+}
+Verdict map_spherical(const Facts& f, const Request& r) {
+    return of_mapping(f, r, Mapping::spherical);
+}
+Verdict map_cylindrical(const Facts& f, const Request& r) {
+    return of_mapping(f, r, Mapping::cylindrical);
+}
+Verdict map_planar(const Facts& f, const Request& r) {
+    return of_mapping(f, r, Mapping::planar);
+}
+
+Verdict mirror_environment(const Facts& f, const Request&) {
+    if (f.environment_materials == 0) return no("no material mirrors it");
+    if (!f.environment_map) return no("{}, but the scene has no map", counted(f.environment_materials, "material"));
+    return yes("{}", share(f.environment_materials, f.materials, "a weight of the environment"));
+}
+
+Verdict many_materials(const Facts& f, const Request& r) {
+    const bool read = ambient(f, r).wanted || diffuse(f, r).wanted || specular(f, r).wanted || emission(f, r).wanted ||
+                      gaussian(f, r).wanted || beckmann(f, r).wanted || mirror_environment(f, r).wanted || f.translucent_materials > 0;
+    if (!read) return no("no property of a material changes the image");
+    const bool detailed = f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials > 0;
+    const std::size_t most = f.geometry ? f.geometry->surfaces : detailed ? f.objects : f.materials;
+    if (f.materials == 1 && most <= 1) return no("every surface has the same material");
+    if (f.materials == 1) return yes("one material, laid on {} in their own ways", counted(most, "object"));
+    return yes("{}", counted(f.materials, "material"));
+}
+
+Verdict background_map(const Facts& f, const Request&) {
+    return f.environment_map ? yes("the scene has a map") : no("the scene has no map");
+}
+
+Verdict six_faces(const Facts& f, const Request&) {
+    if (!f.environment_map) return no("the scene has no map");
+    return f.six_faces ? yes("the map is six pictures") : no("the map is one picture");
+}
+
 Verdict transparency(const Facts& f, const Request&) {
     return of_materials(f.translucent_materials, "every opacity is 1");
 }
@@ -138,15 +216,6 @@ Verdict dispersion(const Facts& f, const Request&) {
     return of_materials(f.dispersive_materials, "no material asks for it");
 }
 
-Verdict environment(const Facts& f, const Request&) {
-    if (f.environment_map)
-        return yes("the scene has a map{}",
-                   f.environment_materials > 0 ? ", mirrored by " + counted(f.environment_materials, "material") : "");
-    if (f.environment_materials > 0)
-        return yes("{} without a map: the surrounding would be the scene itself", counted(f.environment_materials, "material"));
-    return no("the scene has no map, and no material mirrors one");
-}
-
 Verdict reflection(const Facts& f, const Request&) {
     if (f.mirror_materials > 0) return yes("{}", counted(f.mirror_materials, "mirror"));
     if (f.reflective_materials > 0) return no("no material names one (kr = ks counts where rays are traced)");
@@ -155,7 +224,7 @@ Verdict reflection(const Facts& f, const Request&) {
 
 const std::vector<Effect>& table() {
     using R = std::vector<std::string_view>;
-    const R surface = {"materials"}, lit = {"materials", "lights"}, light = {"lights"};
+    const R surface = {"materials"}, pictures = {"materials", "texels"}, lit = {"materials", "lights"}, light = {"lights"};
     static const std::vector<Effect> rows = {
         {"ambient", EFFECT_AMBIENT, ambient, surface, ""},
         {"diffuse", EFFECT_DIFFUSE, diffuse, lit, ""},
@@ -171,11 +240,22 @@ const std::vector<Effect>& table() {
         {"vanishing-normals", EFFECT_VANISHING_NORMALS, vanishing_normals, {}, ""},
         {"many-materials", EFFECT_MANY_MATERIALS, many_materials, surface, ""},
         {"compensated-sum", EFFECT_COMPENSATED_SUM, compensated_sum, {}, ""},
-        {"cook-torrance", 0, cook_torrance, {}, "drawn as Phong with their ks and shininess"},
-        {"texture", 0, texture, {}, "drawn with their plain kd"},
-        {"bump", 0, bump, {}, "drawn with smooth normals"},
-        {"environment", 0, environment, {}, "background drawn as its plain color, nothing mirrored"},
-        {"transparency", 0, transparency, {}, "drawn opaque"},
+        {"cook-torrance: gaussian", EFFECT_GAUSSIAN, gaussian, lit, ""},
+        {"cook-torrance: beckmann", EFFECT_BECKMANN, beckmann, lit, ""},
+        {"texture", EFFECT_TEXTURE, texture, pictures, ""},
+        {"checker", EFFECT_CHECKER, checker, surface, ""},
+        {"mapping: uv", EFFECT_MAP_UV, map_uv, {"detail"}, ""},
+        {"mapping: spherical", EFFECT_MAP_SPHERICAL, map_spherical, surface, ""},
+        {"mapping: cylindrical", EFFECT_MAP_CYLINDRICAL, map_cylindrical, surface, ""},
+        {"mapping: planar", EFFECT_MAP_PLANAR, map_planar, surface, ""},
+        {"bump: waves", EFFECT_BUMP_WAVES, bump_waves, surface, ""},
+        {"bump: noise", EFFECT_BUMP_NOISE, bump_noise, surface, ""},
+        {"bump: height image", EFFECT_BUMP_HEIGHT, bump_height, pictures, ""},
+        {"bump: normal map", EFFECT_NORMAL_MAP, normal_map, pictures, ""},
+        {"environment: mirrored", EFFECT_MIRROR_ENVIRONMENT, mirror_environment, pictures, ""},
+        {"environment: background", EFFECT_BACKGROUND_MAP, background_map, {}, ""},
+        {"environment: six faces", EFFECT_SIX_FACES, six_faces, {}, ""},
+        {"transparency", EFFECT_TRANSPARENCY, transparency, surface, ""},
         {"transmission", 0, transmission, {}, "drawn opaque, nothing is refracted"},
         {"reflection", 0, reflection, {}, "drawn without what they would mirror"},
         {"fresnel", 0, fresnel, {}, "drawn without the split of reflection and transmission"},

@@ -1,7 +1,12 @@
 // Counts a scene's facts: one walk over lights, one over objects (which also marks the materials in use), one over those materials.
 #include "plan/facts.h"
 
+#include "scene/distribution.h"
+#include "scene/surfaces.h"
 #include "scene/tessellate.h"
+
+#include <algorithm>
+#include <set>
 
 namespace lightbench {
 namespace {
@@ -28,14 +33,30 @@ void count_light(const Light& light, Facts& facts) {
     }
 }
 
+void count_model(const Material& material, Facts& facts) {
+    if (!any(material.specular)) return;
+    if (material.model == Model::phong)
+        ++facts.phong_materials;
+    else
+        ++(material.distribution == Distribution::gaussian ? facts.gaussian_materials : facts.beckmann_materials);
+    facts.smooth_lobes += material.model == Model::cook_torrance && material.roughness < kLeastRoughness;
+}
+
+void count_detail(const Material& material, Facts& facts) {
+    if (material.texture) ++(material.texture->picture ? facts.picture_materials : facts.checker_materials);
+    if (!material.bump) return;
+    facts.wave_materials += material.bump->function == BumpFunction::waves;
+    facts.noise_materials += material.bump->function == BumpFunction::noise;
+    if (material.bump->picture) ++(material.bump->normal_map ? facts.normal_map_materials : facts.height_materials);
+}
+
 void count_material(const Material& material, Facts& facts) {
     ++facts.materials;
     facts.diffuse_materials += any(material.diffuse);
     facts.specular_materials += any(material.specular);
     facts.emissive_materials += any(material.emission);
-    facts.cook_torrance_materials += material.model == Model::cook_torrance;
-    facts.textured_materials += material.texture.has_value();
-    facts.bumped_materials += material.bump.has_value();
+    count_model(material, facts);
+    count_detail(material, facts);
     facts.environment_materials += material.environment > 0;
     facts.translucent_materials += below_one(material.opacity);
     facts.transmissive_materials += any(material.transmission);
@@ -81,21 +102,45 @@ std::optional<std::uint32_t> mesh_with_materials(const Scene& scene, const Objec
     return use->mesh;
 }
 
+// One looks through a translucent front, and sees the back.
+bool seen_from_behind(const Material& material, bool open) {
+    return material.two_sided.value_or(open || below_one(material.opacity));
+}
+
 // Marks the materials of a surface, and says whether it may be seen from behind: whether one of them does not forbid it.
 bool mark_materials(const Scene& scene, const Object& object, bool open, std::vector<MeshMaterials>& meshes, std::vector<bool>& used) {
     const auto mesh = mesh_with_materials(scene, object);
     if (!mesh) {
         used[object.material] = true;
-        return scene.materials[object.material].two_sided.value_or(open);
+        return seen_from_behind(scene.materials[object.material], open);
     }
     MeshMaterials& known = meshes[*mesh];
     if (known.walked) return known.two_sided;
     known.walked = true;
     for (std::uint32_t material : scene.meshes[*mesh].face_materials) {
         used[material] = true;
-        known.two_sided = known.two_sided || scene.materials[material].two_sided.value_or(open);
+        known.two_sided = known.two_sided || seen_from_behind(scene.materials[material], open);
     }
     return known.two_sided;
+}
+
+// A texture, or a bump that is a picture, is laid on the object by a mapping.
+void count_mapping(const Scene& scene, const Object& object, std::uint32_t index, Facts& facts) {
+    const Material& material = scene.materials[index];
+    if (material.texture || (material.bump && material.bump->picture))
+        ++facts.mappings[static_cast<std::size_t>(mapping_of(scene, object, material))];
+}
+
+void count_mappings(const Scene& scene, Facts& facts) {
+    for (const Object& object : scene.objects) {
+        const auto mesh = mesh_with_materials(scene, object);
+        if (!mesh) {
+            count_mapping(scene, object, object.material, facts);
+            continue;
+        }
+        std::set<std::uint32_t> own(scene.meshes[*mesh].face_materials.begin(), scene.meshes[*mesh].face_materials.end());
+        for (const std::uint32_t material : own) count_mapping(scene, object, material, facts);
+    }
 }
 
 void count_objects(const Scene& scene, std::vector<bool>& used, Facts& facts) {
@@ -116,10 +161,12 @@ Facts gather_facts(const Scene& scene) {
     count_objects(scene, used, facts);
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) count_material(scene.materials[i], facts);
+    if (std::ranges::any_of(scene.materials, [](const Material& m) { return m.texture || m.bump; })) count_mappings(scene, facts);
+    facts.pictures = scene.pictures.size();
     facts.materials_listed = scene.materials.size();
     facts.ambient = any(scene.environment.ambient);
     facts.background = any(scene.environment.background);
-    facts.environment_map = !scene.environment.map.empty();
+    facts.environment_map = !scene.environment.map.empty(), facts.six_faces = scene.environment.map.size() == 6;
     facts.camera = !scene.cameras.empty();
     facts.film = scene.film.has_value();
     return facts;
@@ -127,7 +174,8 @@ Facts gather_facts(const Scene& scene) {
 
 void add_geometry(Facts& facts, const RasterGeometry& geometry) {
     facts.geometry = GeometryFacts{geometry.vertices.positions.size(), geometry.indices.size() / 3, geometry.polygons.positions.size(),
-                                   geometry.faces_two_sided,           geometry.dropped_degenerate, geometry.normals_may_vanish};
+                                   geometry.surfaces.size(),           geometry.faces_two_sided,    geometry.dropped_degenerate,
+                                   geometry.normals_may_vanish};
 }
 
 } // namespace lightbench

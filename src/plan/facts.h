@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 
+#include <array>
 #include <cstddef>
 #include <optional>
 
@@ -12,7 +13,7 @@ struct RasterGeometry;
 
 // What only the tessellation tells.
 struct GeometryFacts {
-    std::size_t vertices = 0, triangles = 0, polygons = 0;
+    std::size_t vertices = 0, triangles = 0, polygons = 0, surfaces = 0;
     std::size_t faces_two_sided = 0, dropped_degenerate = 0;
     bool normals_may_vanish = false;
 };
@@ -24,13 +25,19 @@ struct Facts {
     std::size_t materials = 0;                                                         // that an object uses
     std::size_t materials_listed = 0;                                                  // that the scene has
     std::size_t diffuse_materials = 0, specular_materials = 0, emissive_materials = 0;
-    std::size_t cook_torrance_materials = 0, textured_materials = 0, bumped_materials = 0, environment_materials = 0;
+    std::size_t phong_materials = 0, gaussian_materials = 0, beckmann_materials = 0;                     // with ks > 0
+    std::size_t picture_materials = 0, checker_materials = 0;                                            // with such a texture
+    std::size_t wave_materials = 0, noise_materials = 0, height_materials = 0, normal_map_materials = 0; // with such a bump
+    std::size_t environment_materials = 0;                                                               // that mirror it
+    std::array<std::size_t, 4> mappings{}; // objects whose texture or bump picture is mapped so, by Mapping
+    std::size_t smooth_lobes = 0;          // Cook-Torrance below the least roughness
     std::size_t translucent_materials = 0; // opacity < 1 in a channel (S13)
     std::size_t transmissive_materials = 0, reflective_materials = 0, scattering_materials = 0, dispersive_materials = 0;
     std::size_t mirror_materials = 0;  // that name a reflection > 0; the others reflect ks
     std::size_t fresnel_materials = 0; // Fresnel split of reflection and transmission
     std::size_t two_sided_objects = 0; // some face is seen from behind
-    bool ambient = false, background = false, environment_map = false, camera = false, film = false;
+    std::size_t pictures = 0;
+    bool ambient = false, background = false, environment_map = false, six_faces = false, camera = false, film = false;
     bool own_normals = false;              // some mesh or polygon came with normals
     std::optional<GeometryFacts> geometry; // once tessellated
 };

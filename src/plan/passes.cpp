@@ -1,5 +1,7 @@
 #include "plan/passes.h"
 
+#include "shared/effects.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -18,13 +20,14 @@ bool contains(const Names& names, std::string_view name) {
 }
 
 // What drawing reads in each mode: colors that were shaded before, or all that shading a fragment needs.
-Names drawn_from(Shading shading, const Names& lit_reads) {
-    switch (shading) {
-    case Shading::flat: return {"vertices", "indices", "polygon-colors"};
-    case Shading::gouraud: return {"vertices", "indices", "vertex-colors"};
-    case Shading::phong: break;
-    }
-    return joined({"vertices", "normals", "indices"}, lit_reads);
+// Textures are looked up there in every mode: what they modulate is shaded before, what they are is not.
+Names drawn_from(const Plan& plan, const Names& lit_reads) {
+    if (plan.shading == Shading::phong) return joined({"vertices", "normals", "indices"}, lit_reads);
+    Names reads = {"vertices", "indices", plan.shading == Shading::flat ? "polygon-colors" : "vertex-colors"};
+    if (plan.effects & (EFFECT_ANY_TEXTURE | EFFECT_TRANSPARENCY)) reads = joined(reads, {"normals", "materials"});
+    if (plan.effects & EFFECT_TEXTURE) reads.emplace_back("texels");
+    if (plan.effects & EFFECT_MAP_UV) reads.emplace_back("detail");
+    return reads;
 }
 
 // A layer shades again with the mask of its one term, so that it reads what shading reads, not the colors of the image.
@@ -55,6 +58,21 @@ std::string display_reason(const Plan& plan) {
     return fmt::format("exposure {:g}, clamp", plan.exposure);
 }
 
+void add_background(std::vector<Pass>& passes, const Plan& plan) {
+    if (plan.effects & EFFECT_BACKGROUND_MAP)
+        passes.push_back({"background", "the environment, where nothing stands before it", {"texels", "depth"}, {"radiance"}});
+}
+
+// S13: counted, then listed where the counts say, then blended from the front to the back.
+void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_reads) {
+    if (!(plan.effects & EFFECT_TRANSPARENCY)) return;
+    passes.push_back({"count-layers", "translucent fragments of each pixel", {"vertices", "indices", "depth"}, {"layer-counts"}});
+    Names reads = drawn_from(plan, lit_reads);
+    reads.insert(reads.end(), {"depth", "layer-offsets", "layer-counts"});
+    passes.push_back({"list-layers", "their color, opacity and depth", std::move(reads), {"layers"}});
+    passes.push_back({"blend-layers", "in order of depth, over what is opaque", {"layers", "layer-offsets", "radiance"}, {"radiance"}});
+}
+
 } // namespace
 
 std::string image_of(const Plan& plan) {
@@ -68,7 +86,9 @@ std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
     };
     Names targets = {"radiance", "depth"};
     if (plan.multisamples > 1) targets.push_back("radiance-samples");
-    passes.push_back({"raster", "visible surfaces" + samples(plan), drawn_from(plan.shading, lit_reads), targets});
+    passes.push_back({"raster", "visible surfaces" + samples(plan), drawn_from(plan, lit_reads), targets});
+    add_background(passes, plan);
+    add_layers(passes, plan, lit_reads);
     if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
     for (const std::string& term : plan.terms)
         passes.push_back({"term-" + term, "a layer of the file", term_reads(plan.shading, lit_reads), {"layer-" + term, "depth"}});

@@ -40,7 +40,9 @@ void decide_lights(const Facts& facts, const Request& request, Plan& plan) {
 
 // One frame of 1 or 4 hardware samples unless a pattern was named; every other number of samples is that many shifted frames.
 void decide_samples(const Request& request, Plan& plan) {
-    const bool hardware = request.sampling == Sampling::none && (request.spp == 1 || request.spp == 4);
+    // Layers are listed one sample a pixel.
+    const bool few = request.spp == 1 || (request.spp == 4 && !(plan.effects & EFFECT_TRANSPARENCY));
+    const bool hardware = request.sampling == Sampling::none && few;
     plan.multisamples = hardware ? request.spp : 1;
     plan.frames = hardware ? 1 : request.spp;
     plan.jittered = request.sampling == Sampling::jittered;
@@ -52,9 +54,10 @@ std::vector<std::string> decide_terms(const Facts& facts, const Request& request
     std::vector<std::string> terms;
     if (mask & EFFECT_AMBIENT) terms.push_back("ambient");
     if (mask & EFFECT_DIFFUSE) terms.push_back("diffuse");
-    if (mask & EFFECT_SPECULAR) terms.push_back("specular");
+    if (mask & (EFFECT_SPECULAR | EFFECT_COOK_TORRANCE)) terms.push_back("specular");
     if (mask & EFFECT_EMISSION) terms.push_back("emission");
-    if (facts.background) terms.push_back("background");
+    if (mask & EFFECT_MIRROR_ENVIRONMENT) terms.push_back("reflected");
+    if (facts.background || facts.environment_map) terms.push_back("background");
     if (facts.lights > 0) terms.push_back("attenuation");
     terms.insert(terms.end(), {"normal", "depth", "object"});
     return terms;
@@ -85,21 +88,23 @@ Resource table(std::string name, std::size_t count, std::size_t each) {
 // Buffers sized by the tessellation: 0 bytes until it is known.
 Resource geometry_buffer(const std::string& name, const Facts& facts, const Plan& plan) {
     if (!facts.geometry) return {name, 0, "sized by the tessellation"};
-    const std::size_t sides = plan.effects & EFFECT_TWO_SIDED ? 2 : 1;
     if (name == "vertices") return table(name, facts.geometry->vertices, sizeof(gpu_layout::PointPosition));
+    if (name == "detail") return table(name, facts.geometry->vertices, sizeof(gpu_layout::PointDetail));
     if (name == "normals") return table(name, facts.geometry->vertices, sizeof(gpu_layout::PointNormal));
     if (name == "indices") return table(name, 3 * facts.geometry->triangles, sizeof(std::uint32_t));
     if (name == "polygons")
         return table(name, facts.geometry->polygons, sizeof(gpu_layout::PointPosition) + sizeof(gpu_layout::PointNormal));
-    if (name == "vertex-colors") return table(name, facts.geometry->vertices * sides, sizeof(glm::vec4));
-    return table(name, facts.geometry->polygons * sides, sizeof(glm::vec4)); // polygon-colors
+    if (name == "vertex-colors") return table(name, facts.geometry->vertices * plan.colors_of_point(), sizeof(glm::vec4));
+    return table(name, facts.geometry->polygons * plan.colors_of_point(), sizeof(glm::vec4)); // polygon-colors
 }
 
 // Describes one resource by its name.
 Resource describe(const std::string& name, const Facts& facts, const Plan& plan) {
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
-    if (name == "materials")
-        return table(name, plan.effects & EFFECT_MANY_MATERIALS ? facts.materials_listed : 1, sizeof(gpu_layout::Material));
+    if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));
+    if (name == "texels") return {name, 0, fmt::format("{} pictures with their smaller levels", facts.pictures)};
+    if (name == "layer-counts" || name == "layer-offsets") return target(name, 4, "a number a pixel", plan);
+    if (name == "layers") return {name, 0, "32 bytes a translucent fragment: sized by their count"};
     if (name == "depth") return target(name, 4 * plan.multisamples, "float, reversed", plan);
     if (name == "radiance-samples") return target(name, 16 * plan.multisamples, fmt::format("{} samples a pixel", plan.multisamples), plan);
     if (name == "radiance" || name == "sum" || name.starts_with("layer-")) return target(name, 16, "linear, 4 floats", plan);
@@ -129,6 +134,10 @@ bool Plan::runs(std::string_view pass) const {
 
 bool Plan::has(std::string_view resource) const {
     return std::any_of(resources.begin(), resources.end(), [&](const Resource& r) { return r.name == resource; });
+}
+
+std::size_t Plan::colors_of_point() const {
+    return (effects & EFFECT_TWO_SIDED ? 2u : 1u) * (effects & EFFECT_ANY_TEXTURE ? 2u : 1u);
 }
 
 std::vector<std::string> effect_names(std::uint32_t mask) {

@@ -57,6 +57,7 @@ struct Plan {
     std::vector<Resource> resources;
     bool runs(std::string_view pass) const;
     bool has(std::string_view resource) const;
+    std::size_t colors_of_point() const; // that shading a vertex or a polygon yields: by side, by what textures modulate
 };
 
 constexpr std::uint32_t kFewLights = 8; // up to here the loop over lights has a constant end

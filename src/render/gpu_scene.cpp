@@ -1,7 +1,8 @@
-// Converts lights and materials to the shared layouts, in the frame's units, and fills the buffers.
+// Converts lights to the shared layout, in the frame's units, and fills the buffers.
 #include "render/gpu_scene.h"
 
 #include "gpu/check.h"
+#include "render/materials.h"
 #include "shared/effects.h"
 #include "shared/layouts.h"
 
@@ -13,12 +14,6 @@ namespace lightbench {
 namespace {
 
 using vk::BufferUsageFlagBits;
-
-gpu_layout::Material to_gpu(const Material& m) {
-    gpu_layout::Material out{};
-    out.diffuse = m.diffuse, out.specular = m.specular, out.emission = m.emission, out.shininess = m.shininess;
-    return out;
-}
 
 // With d' = s d: Ip / (d + d0) = s Ip / (d' + s d0) and Ip / (4 pi d^2) = s^2 Ip / (4 pi d'^2), so the frame's laws give the world's values.
 double frame_gain(const Light& light, double s) {
@@ -52,18 +47,6 @@ std::vector<gpu_layout::Light> lights_of(const Scene& scene, const Frame& frame)
     return lights;
 }
 
-// All materials; or, where the plan says that a single one is used, that one alone, as number 0.
-std::vector<gpu_layout::Material> materials_of(const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
-    std::vector<gpu_layout::Material> materials;
-    if (plan.effects & EFFECT_MANY_MATERIALS) {
-        std::ranges::transform(scene.materials, std::back_inserter(materials), [](const Material& m) { return to_gpu(m); });
-        return materials;
-    }
-    const auto& normals = geometry.polygons.normals.empty() ? geometry.vertices.normals : geometry.polygons.normals;
-    const std::uint32_t used = normals.empty() ? 0 : normals.front().material;
-    return {to_gpu(scene.materials.at(used))};
-}
-
 struct Uploader {
     gpu::Device& device;
     GpuScene& out;
@@ -81,8 +64,7 @@ struct Uploader {
 
 // What is written by shade-points and read as a table by the vertex stage or as vertex attributes.
 gpu::Buffer color_buffer(Uploader& up, const char* name, std::size_t points, const Plan& plan, vk::BufferUsageFlags more) {
-    const std::size_t sides = plan.effects & EFFECT_TWO_SIDED ? 2 : 1;
-    gpu::Buffer buffer = gpu::make_texel_buffer(up.device, name, std::max<std::size_t>(points, 1) * sides * 16, more);
+    gpu::Buffer buffer = gpu::make_texel_buffer(up.device, name, std::max<std::size_t>(points, 1) * plan.colors_of_point() * 16, more);
     if (!buffer.as_texel()) up.out.fetch_storage |= FETCH_COLORS;
     return buffer;
 }
@@ -101,6 +83,10 @@ void upload_points(Uploader& up, const RasterGeometry& geometry, const Plan& pla
     if (!geometry.indices.empty())
         out.indices = gpu::make_filled_buffer(up.device, "indices", std::span(geometry.indices), BufferUsageFlagBits::eIndexBuffer);
     if (plan.has("normals")) out.normals = up.table("normals", geometry.vertices.normals, FETCH_POINTS, vertex);
+    if (plan.has("detail")) {
+        out.detail = up.table("detail", geometry.vertices.detail, FETCH_DETAIL, vertex);
+        out.polygon_detail = up.table("polygon-detail", geometry.polygons.detail, FETCH_DETAIL);
+    }
     if (plan.has("vertex-colors")) out.vertex_colors = color_buffer(up, "vertex-colors", out.vertex_count, plan, vertex);
     if (plan.has("polygon-colors")) {
         out.polygon_positions = up.table("polygon-positions", geometry.polygons.positions, FETCH_POINTS);
@@ -121,15 +107,29 @@ GpuScene upload_scene(gpu::Device& device, const Scene& scene, const RasterGeome
     out.vertex_count = static_cast<std::uint32_t>(geometry.vertices.positions.size());
     out.polygon_count = static_cast<std::uint32_t>(geometry.polygons.positions.size());
     if (plan.has("lights")) out.lights = up.table("lights", lights, FETCH_LIGHTS);
-    if (plan.has("materials")) out.materials = up.table("materials", materials_of(scene, geometry, plan), FETCH_MATERIALS);
+    const MaterialTables tables = plan.has("materials") || plan.has("texels") ? material_tables(scene, geometry, plan) : MaterialTables{};
+    if (plan.has("materials")) out.materials = up.table("materials", tables.materials, FETCH_MATERIALS);
+    if (plan.has("texels")) out.texels = up.table("texels", tables.texels.words, FETCH_TEXELS);
+    out.environment = tables.environment;
+    // Lists of layers grow from image to image: they are read as texels only where every list can be.
+    if (device.info().max_texel_elements * 16 < device.info().max_storage_range) out.fetch_storage |= FETCH_LAYERS;
     upload_points(up, geometry, plan);
     return out;
 }
 
 void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& buffer) {
-    static const std::map<std::string_view, std::string_view> kStorageNames = {
-        {"lights", "lights_storage"},   {"materials", "materials_storage"},           {"positions", "positions_storage"},
-        {"normals", "normals_storage"}, {"polygon_colors", "polygon_colors_storage"}, {"polygon_objects", "polygon_objects_storage"}};
+    static const std::map<std::string_view, std::string_view> kStorageNames = {{"lights", "lights_storage"},
+                                                                               {"materials", "materials_storage"},
+                                                                               {"texels", "texels_storage"},
+                                                                               {"positions", "positions_storage"},
+                                                                               {"normals", "normals_storage"},
+                                                                               {"detail", "detail_storage"},
+                                                                               {"polygon_colors", "polygon_colors_storage"},
+                                                                               {"polygon_objects", "polygon_objects_storage"},
+                                                                               {"offsets", "offsets_storage"},
+                                                                               {"layers", "layers_storage"},
+                                                                               {"deep_pixels", "deep_pixels_storage"},
+                                                                               {"keys_in", "keys_in_storage"}};
     if (!buffer) return;
     bindings.emplace_back(name, buffer);
     bindings.emplace_back(kStorageNames.at(name), buffer);

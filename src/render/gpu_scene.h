@@ -9,12 +9,13 @@ namespace lightbench {
 
 // Buffers that the plan does not name do not exist (they are none).
 struct GpuScene {
-    gpu::Buffer lights, materials;                  // tables
-    gpu::Buffer positions, normals, indices;        // vertices
-    gpu::Buffer polygon_positions, polygon_normals; // points to shade, flat
-    gpu::Buffer polygon_objects;                    // table, for the object layer
-    gpu::Buffer vertex_colors, polygon_colors;      // what shading points wrote
+    gpu::Buffer lights, materials, texels;                          // tables
+    gpu::Buffer positions, normals, detail, indices;                // vertices
+    gpu::Buffer polygon_positions, polygon_normals, polygon_detail; // points to shade, flat
+    gpu::Buffer polygon_objects;                                    // table, for the object layer
+    gpu::Buffer vertex_colors, polygon_colors;                      // what shading points wrote
     std::uint32_t vertex_count = 0, polygon_count = 0, light_count = 0;
+    gpu_layout::TexelInfo environment{};
     std::uint32_t fetch_storage = 0; // FETCH_... bits of the tables that are no texel buffers here
 };
 

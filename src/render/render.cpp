@@ -4,6 +4,7 @@
 #include "gpu/recorder.h"
 #include "image/display.h"
 #include "render/display.h"
+#include "render/layers.h"
 #include "render/raster.h"
 #include "render/terms.h"
 #include "shared/effects.h"
@@ -26,6 +27,8 @@ struct RendererState {
     gpu::Image sum;        // of frames and pieces; none if there is one of both
     Display display;
     std::map<RasterVariant, RasterPipelines> pipelines;
+    Layers layers;
+    gpu::Timings times; // of what was submitted on the way
 };
 
 namespace {
@@ -41,9 +44,7 @@ glm::dvec2 shift_of(const Plan& plan, unsigned i) {
 
 const RasterPipelines& pipelines_for(RendererState& s, const RasterVariant& variant) {
     auto [it, made] = s.pipelines.try_emplace(variant);
-    if (made)
-        it->second = make_raster_pipelines(s.device, s.plan, s.scene, variant, s.geometry.one_sided_clusters,
-                                           s.geometry.clusters.size() - s.geometry.one_sided_clusters);
+    if (made) it->second = make_raster_pipelines(s.device, s.plan, s.scene, s.geometry, variant);
     return it->second;
 }
 
@@ -51,6 +52,7 @@ struct Drawing {
     RasterVariant variant;
     glm::vec3 background{0};
     std::string name = "raster";
+    bool background_map = false;
 };
 
 RasterTargets& targets_for(RendererState& s, const RasterVariant& variant) {
@@ -61,14 +63,20 @@ RasterTargets& targets_for(RendererState& s, const RasterVariant& variant) {
 
 // One frame, one piece of the lights. Emission, ambient light and the background belong to the first piece.
 std::size_t record_piece(RendererState& s, const View& view, Drawing drawing, unsigned frame, std::size_t piece) {
-    RasterDraw draw{view, shift_of(s.plan, frame), s.environment.ambient, drawing.background, 0, s.scene.light_count, drawing.name};
+    RasterDraw draw{view, shift_of(s.plan, frame), s.environment.ambient, drawing.background,
+                    0,    s.scene.light_count,     drawing.name,          drawing.background_map && piece == 0};
     if (s.plan.light_passes > 1) {
         draw.first_light = static_cast<std::uint32_t>(piece * kLightsPerPass);
         draw.end_light = static_cast<std::uint32_t>(std::min<std::size_t>((piece + 1) * kLightsPerPass, s.scene.light_count));
     }
-    if (piece > 0) drawing.variant.effects &= ~(EFFECT_EMISSION | EFFECT_AMBIENT), draw.background = glm::vec3(0);
+    if (piece > 0)
+        drawing.variant.effects &= ~(EFFECT_EMISSION | EFFECT_AMBIENT | EFFECT_MIRROR_ENVIRONMENT), draw.background = glm::vec3(0);
     RasterTargets& targets = targets_for(s, drawing.variant);
-    return record_raster(s.recorder, s.plan, s.scene, s.geometry, drawing.variant, pipelines_for(s, drawing.variant), targets, draw);
+    const RasterPipelines& pipelines = pipelines_for(s, drawing.variant);
+    const std::size_t opaque = record_raster(s.recorder, s.plan, s.scene, s.geometry, drawing.variant, pipelines, targets, draw);
+    if (!drawing.variant.has_layers()) return opaque;
+    return opaque +
+           record_layers(s.layers, {s.device, s.recorder, s.plan, s.scene, s.geometry, drawing.variant, pipelines, targets, draw, s.times});
 }
 
 // All frames and pieces, into the image that is returned.
@@ -107,10 +115,13 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
 
 RenderOutput run_image(RendererState& s, const View& view) {
     RenderOutput out;
-    const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background};
+    const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background, "raster", true};
+    s.times.clear();
     gpu::Image& image = record_drawing(s, view, drawing, out.triangles_drawn);
     if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
-    add_times(out, s.recorder.submit_and_wait());
+    const gpu::Timings last = s.recorder.submit_and_wait();
+    add_times(out, s.times);
+    add_times(out, last);
     if (s.plan.runs("display")) {
         out.pixels = read_pixels(s.device, s.display, s.plan.crop);
         out.non_finite = read_census(s.device, s.display);
@@ -124,7 +135,7 @@ RenderOutput run_image(RendererState& s, const View& view) {
 Layer run_layer(RendererState& s, const View& view, const std::string& name) {
     const Term term = find_term(name);
     Drawing drawing{{s.plan.effects & term.effects, term.output, term.averaged ? s.plan.multisamples : 1}, glm::vec3(0), "term-" + name};
-    if (term.background) drawing.background = s.environment.background;
+    if (term.background) drawing.background = s.environment.background, drawing.background_map = true;
     std::size_t triangles = 0;
     gpu::Image& image = record_drawing(s, view, drawing, triangles);
     s.recorder.submit_and_wait();
@@ -142,6 +153,7 @@ TessellationRequest tessellation_for(const Plan& plan, const View& view) {
     request.pixel_angle = view.pixel_angle();
     request.subdivide = plan.subdivide;
     request.normals = plan.has("normals");
+    request.detail = plan.has("detail");
     request.polygons = plan.has("polygon-colors") || std::ranges::find(plan.terms, "object") != plan.terms.end();
     return request;
 }
@@ -154,6 +166,8 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry
                                upload_scene(device, scene, geometry, plan),
                                gpu::Recorder(device),
                                make_targets(device, plan.size, plan.multisamples, "radiance"),
+                               {},
+                               {},
                                {},
                                {},
                                {},

@@ -63,8 +63,7 @@ struct Frame {
         on_gpu = upload_scene(device(), scene, geometry, plan);
         targets = make_targets(device(), plan.size, 1, "radiance");
         variant = {plan.effects, OUTPUT_RADIANCE, 1};
-        pipelines = make_raster_pipelines(device(), plan, on_gpu, variant, geometry.one_sided_clusters,
-                                          geometry.clusters.size() - geometry.one_sided_clusters);
+        pipelines = make_raster_pipelines(device(), plan, on_gpu, geometry, variant);
     }
 };
 

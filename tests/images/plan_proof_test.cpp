@@ -60,13 +60,12 @@ Built build(const Scene& scene, Shading shading) {
     Rendered r = render_scene(scene, radiance_request(shading));
     GpuScene on_gpu = upload_scene(test_device(), scene, r.geometry, r.plan);
     const RasterVariant variant{r.plan.effects, OUTPUT_RADIANCE, r.plan.multisamples};
-    RasterPipelines pipelines = make_raster_pipelines(test_device(), r.plan, on_gpu, variant, r.geometry.one_sided_clusters,
-                                                      r.geometry.clusters.size() - r.geometry.one_sided_clusters);
+    RasterPipelines pipelines = make_raster_pipelines(test_device(), r.plan, on_gpu, r.geometry, variant);
     return {std::move(r), std::move(on_gpu), std::move(pipelines)};
 }
 
 const gpu::Stage& fragment_of(const Built& b) {
-    return *(b.pipelines.two_sided ? b.pipelines.two_sided : b.pipelines.one_sided).fragment();
+    return *(b.pipelines.surfaces.two_sided ? b.pipelines.surfaces.two_sided : b.pipelines.surfaces.one_sided).fragment();
 }
 
 bool skipped(const Plan& plan, std::string_view effect) {

@@ -21,7 +21,7 @@ TEST(PlanEffects, OneDirectionalLightAndNoSpecularMaterial) {
     EXPECT_EQ(reason_of(plan.skipped, "attenuation: linear"), "no light has a distance");
     EXPECT_EQ(reason_of(plan.skipped, "two-sided"), "no surface is seen from behind");
     EXPECT_EQ(reason_of(plan.skipped, "many-materials"), "every surface has the same material");
-    EXPECT_EQ(reason_of(plan.skipped, "texture"), "no material has one");
+    EXPECT_EQ(reason_of(plan.skipped, "texture"), "no material has a picture");
     EXPECT_EQ(reason_of(plan.skipped, "transparency"), "every opacity is 1");
     EXPECT_EQ(reason_of(plan.wanted, "diffuse"), "the material has kd > 0");
     EXPECT_EQ(reason_of(plan.wanted, "directional light"), "1 light");
@@ -35,7 +35,7 @@ TEST(PlanEffects, EveryRowHasItsOwnBitAndEveryEffectALine) {
         bits |= effect.bit;
         EXPECT_EQ(effect.bit == 0, !effect.instead.empty()) << effect.name << ": what is not drawn must say what is drawn instead";
     }
-    EXPECT_EQ(bits, (EFFECT_VANISHING_NORMALS << 1) - 1) << "a bit of shared/effects.h has no row";
+    EXPECT_EQ(bits, (EFFECT_BACKGROUND_MAP << 1) - 1) << "a bit of shared/effects.h has no row";
     const Plan plan = plan_of(lit_sphere());
     EXPECT_EQ(plan.wanted.size() + plan.skipped.size() + plan.fallbacks.size(), effects().size());
     EXPECT_EQ(plan.wanted.size(), static_cast<std::size_t>(std::popcount(plan.effects)));

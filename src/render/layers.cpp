@@ -1,0 +1,183 @@
+// Counting, listing, sorting and blending of layers.
+#include "render/layers.h"
+
+#include "gpu/errors.h"
+#include "gpu/memory_budget.h"
+#include "render/shaders.h"
+#include "shared/effects.h"
+#include "shared/layouts.h"
+
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+constexpr std::uint64_t kRecordBytes = 32, kKeyBytes = 16;
+constexpr std::uint32_t kMostInRegisters = 16; // layers that blend_layers.comp can sort
+// The last level of the sort loops once a layer, and lavapipe ends loops after 65 535 iterations of a SIMD group.
+constexpr std::uint32_t kMostLayers = 60000;
+constexpr auto kStorage = vk::BufferUsageFlagBits::eStorageBuffer;
+
+// Buffers for tables are made anew when they are too small; half as large again, so that a moving view does not do so every frame.
+void grow(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::uint64_t bytes, std::uint64_t largest) {
+    if (buffer && buffer.size() >= bytes) return;
+    buffer = {};
+    buffer =
+        gpu::make_texel_buffer(device, name, std::min(std::max<std::uint64_t>(bytes + bytes / 2, 16) / 16 * 16, std::max(largest, bytes)));
+}
+
+gpu::ComputePipeline make(const LayerWork& w, const char* shader, std::uint32_t number) {
+    const gpu::Constants constants{{CONSTANT_FETCH_STORAGE, w.scene.fetch_storage}, {CONSTANT_LAYERS, number}};
+    return gpu::make_compute(w.device, find_shader(shader), constants, sizeof(gpu_layout::LayersPush));
+}
+
+void submit(const LayerWork& w) {
+    const auto times = w.recorder.submit_and_wait();
+    w.times.insert(w.times.end(), times.begin(), times.end());
+}
+
+vk::Rect2D rect_of(const Rect& crop, const LayerTile& tile) {
+    return {{static_cast<std::int32_t>(crop.offset.x + tile.x), static_cast<std::int32_t>(crop.offset.y + tile.y)},
+            {tile.width, tile.height}};
+}
+
+std::vector<std::uint32_t> count_layers(Layers& layers, const LayerWork& w) {
+    const Rect& crop = w.plan.crop;
+    const std::uint64_t bytes = std::uint64_t{crop.size.x} * crop.size.y * 4;
+    if (!layers.counts) layers.counts = gpu::make_buffer(w.device, "layer-counts", bytes, kStorage);
+    w.recorder.fill(layers.counts, 0);
+    RasterVariant places = w.variant;
+    places.output = OUTPUT_DEPTH;
+    const LayerTile whole{0, 0, crop.size.x, crop.size.y};
+    record_translucent(w.recorder, w.plan, w.scene, w.geometry, places, w.targets, w.draw,
+                       {"count-layers", w.pipelines.count, rect_of(crop, whole), {{"Counts", layers.counts}}, crop.offset, crop.size.x});
+    submit(w);
+    return gpu::download_all<std::uint32_t>(w.device, layers.counts);
+}
+
+// offsets[i] for every pixel of the tile and one more; the pixels with more layers than registers hold.
+struct TileLists {
+    std::vector<std::uint32_t> offsets, deep;
+};
+
+TileLists lists_of(const LayerTile& tile, std::span<const std::uint32_t> counts, std::uint32_t width) {
+    TileLists lists;
+    std::uint32_t sum = 0;
+    for (std::uint32_t y = 0; y < tile.height; ++y)
+        for (std::uint32_t x = 0; x < tile.width; ++x) {
+            const std::uint32_t n = counts[std::size_t{tile.y + y} * width + tile.x + x];
+            if (n > kMostInRegisters) lists.deep.push_back(static_cast<std::uint32_t>(lists.offsets.size()));
+            lists.offsets.push_back(sum);
+            sum += n;
+        }
+    lists.offsets.push_back(sum);
+    lists.offsets.resize((lists.offsets.size() + 3) / 4 * 4, sum);
+    return lists;
+}
+
+void upload_lists(Layers& layers, const LayerWork& w, const LayerTile& tile, TileLists& lists, std::uint64_t largest) {
+    grow(w.device, layers.offsets, "layer-offsets", lists.offsets.size() * 4, largest);
+    gpu::upload(w.device, layers.offsets, std::as_bytes(std::span(lists.offsets)));
+    grow(w.device, layers.records, "layers", tile.layers * kRecordBytes, largest);
+    if (lists.deep.empty()) return;
+    const std::vector<std::uint32_t> padding((4 - lists.deep.size() % 4) % 4, lists.deep.front());
+    lists.deep.insert(lists.deep.end(), padding.begin(), padding.end());
+    grow(w.device, layers.deep_pixels, "deep-pixels", lists.deep.size() * 4, largest);
+    gpu::upload(w.device, layers.deep_pixels, std::as_bytes(std::span(lists.deep)));
+    for (gpu::Buffer& keys : layers.keys) grow(w.device, keys, "layer-keys", tile.layers * kKeyBytes, largest);
+}
+
+gpu::Bindings bindings_of(Layers& layers, const LayerWork& w) {
+    gpu::Bindings bindings{{"radiance", w.targets.resolved}, {"Counts", layers.counts}};
+    offer_table(bindings, "offsets", layers.offsets);
+    offer_table(bindings, "layers", layers.records);
+    return bindings;
+}
+
+// Groups of 64 invocations, as rows of at most 65 535.
+gpu::Groups groups_of(std::uint32_t invocations) {
+    const std::uint32_t groups = (invocations + 63) / 64, rows = (groups + 65534) / 65535;
+    return {rows > 1 ? 65535u : std::max(groups, 1u), std::max(rows, 1u)};
+}
+
+void blend_few(Layers& layers, const LayerWork& w, const LayerTile& tile, const gpu_layout::LayersPush& push) {
+    const std::uint32_t most = std::clamp(std::bit_ceil(tile.most), 2u, kMostInRegisters);
+    gpu::ComputePipeline& pipeline = layers.blend[most];
+    if (!pipeline) pipeline = make(w, "raster/blend_layers.comp", most);
+    w.recorder.compute("blend-layers", pipeline, bindings_of(layers, w), push, groups_of(tile.width * tile.height));
+}
+
+// A merge sort, one dispatch a level: the work of an invocation is bounded by the run that it writes.
+void blend_many(Layers& layers, const LayerWork& w, const LayerTile& tile, gpu_layout::LayersPush push) {
+    if (!layers.merge_first) {
+        layers.merge_first = make(w, "raster/merge_layers.comp", 1);
+        layers.merge_next = make(w, "raster/merge_layers.comp", 0);
+        layers.blend_deep = make(w, "raster/blend_deep_layers.comp", 0);
+    }
+    gpu::Bindings bindings;
+    offer_table(bindings, "offsets", layers.offsets);
+    offer_table(bindings, "layers", layers.records);
+    offer_table(bindings, "deep_pixels", layers.deep_pixels);
+    unsigned from = 1;
+    for (push.run = 1; push.run < tile.most; push.run *= 2) {
+        gpu::Bindings level = bindings;
+        offer_table(level, "keys_in", layers.keys[from]);
+        level.emplace_back("KeysOut", layers.keys[1 - from]);
+        push.pairs = (tile.most + 2 * push.run - 1) / (2 * push.run);
+        const auto& pipeline = push.run == 1 ? layers.merge_first : layers.merge_next;
+        w.recorder.compute("sort-layers", pipeline, level, push, groups_of(push.pairs * push.deep_count));
+        from = 1 - from;
+    }
+    bindings.emplace_back("radiance", w.targets.resolved);
+    bindings.emplace_back("Counts", layers.counts);
+    offer_table(bindings, "keys_in", layers.keys[from]);
+    w.recorder.compute("blend-layers", layers.blend_deep, bindings, push, groups_of(push.deep_count));
+}
+
+std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& tile, std::span<const std::uint32_t> counts,
+                        std::uint64_t largest) {
+    TileLists lists = lists_of(tile, counts, w.plan.crop.size.x);
+    const auto deep = static_cast<std::uint32_t>(lists.deep.size());
+    submit(w); // what reads the buffers that are filled now
+    upload_lists(layers, w, tile, lists, largest);
+    w.recorder.fill(layers.counts, 0);
+    const glm::uvec2 origin = w.plan.crop.offset + glm::uvec2(tile.x, tile.y);
+    TranslucentDraw draw{
+        "list-layers", w.pipelines.list, rect_of(w.plan.crop, tile), {{"Counts", layers.counts}, {"Layers", layers.records}},
+        origin,        tile.width};
+    offer_table(draw.bindings, "offsets", layers.offsets);
+    const std::size_t triangles = record_translucent(w.recorder, w.plan, w.scene, w.geometry, w.variant, w.targets, w.draw, draw);
+    const gpu_layout::LayersPush push{origin, {tile.width, tile.height}, 0, deep, 0, 0};
+    blend_few(layers, w, tile, push);
+    if (deep > 0) blend_many(layers, w, tile, push);
+    return triangles;
+}
+
+// Bytes that a list may have: one binding of a storage buffer, and a quarter of the memory that is allowed (keys twice beside it).
+std::uint64_t largest_list(const Layers& layers, const LayerWork& w) {
+    const gpu::DeviceInfo& info = w.device.info();
+    const std::uint64_t most = std::min(info.max_storage_range, gpu::memory_budget(info.heap_bytes, info.is_cpu) / 4);
+    return layers.largest ? std::min(layers.largest, most) : most;
+}
+
+} // namespace
+
+std::size_t record_layers(Layers& layers, const LayerWork& w) {
+    const std::vector<std::uint32_t> counts = count_layers(layers, w);
+    const std::uint64_t largest = largest_list(layers, w);
+    const auto tiles = cut_into_tiles(counts, w.plan.crop.size.x, largest / kRecordBytes);
+    std::size_t triangles = 0;
+    for (const LayerTile& tile : tiles) {
+        if (tile.layers * kRecordBytes > largest)
+            throw gpu::EnvironmentError(fmt::format("a pixel has {} translucent layers, and {} hold {}", tile.most,
+                                                    gpu::show_bytes(largest), largest / kRecordBytes));
+        if (tile.most > kMostLayers)
+            throw gpu::EnvironmentError(fmt::format("a pixel has {} translucent layers; at most {} can be sorted", tile.most, kMostLayers));
+        triangles += record_tile(layers, w, tile, counts, largest);
+    }
+    return triangles;
+}
+
+} // namespace lightbench
