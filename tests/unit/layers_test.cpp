@@ -1,5 +1,6 @@
-// The six floors: main > app > measure > render > plan, accel > scene; gpu, image and shaders/shared stand on the ground and know nothing
-// of the rest. No #include runs up or sideways, and what is decided without a GPU (scene, plan, accel) never sees Vulkan, however far off.
+// The six floors: main > app > measure > render > plan, accel > scene; gpu and image stand on the ground and know nothing of the rest but
+// shaders/shared, the layouts below them all. No #include runs up or sideways, and what is decided without a GPU (scene, plan, accel)
+// never sees Vulkan, however far off.
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 using Sources = std::map<std::string, std::string>;
 
 const std::map<std::string, int> kFloors = {{"main", 6},  {"app", 5},   {"measure", 4}, {"render", 3}, {"plan", 2},
-                                            {"accel", 2}, {"scene", 1}, {"gpu", 0},     {"image", 0},  {"shared", 0}};
+                                            {"accel", 2}, {"scene", 1}, {"gpu", 0},     {"image", 0},  {"shared", -1}};
 const std::set<std::string> kWithoutVulkan = {"scene", "plan", "accel", "image", "shared"};
 
 std::string room_of(const std::string& path) {
@@ -88,6 +89,8 @@ TEST(Layers, WrongIncludesAreFound) {
     EXPECT_THAT(verdict("scene/a.cpp", "#include \"plan/plan.h\"\n"), ::testing::ElementsAre("scene/a.cpp includes plan/plan.h"));
     EXPECT_THAT(verdict("gpu/a.h", "#pragma once\n  #  include <scene/scene.h>\n"), ::testing::SizeIs(1));
     EXPECT_THAT(verdict("image/a.h", "#include \"gpu/device.h\"\n"), ::testing::SizeIs(1));
+    EXPECT_THAT(verdict("image/a.h", "#include \"shared/layouts.h\"\n"), ::testing::IsEmpty());
+    EXPECT_THAT(verdict("shared/a.h", "#include \"image/image.h\"\n"), ::testing::SizeIs(1));
     EXPECT_THAT(verdict("accel/a.h", "#include \"plan/plan.h\"\n"), ::testing::SizeIs(1));
     EXPECT_THAT(verdict("shared/a.h", "#include \"scene/scene.h\"\n"), ::testing::SizeIs(1));
     EXPECT_THAT(verdict("plan/a.h", "#include <vulkan/vulkan.hpp>\n"), ::testing::ElementsAre("plan/a.h sees Vulkan"));
