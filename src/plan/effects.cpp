@@ -256,7 +256,7 @@ const std::vector<Effect>& table() {
         {"environment: background", EFFECT_BACKGROUND_MAP, background_map, {}, ""},
         {"environment: six faces", EFFECT_SIX_FACES, six_faces, {}, ""},
         {"transparency", EFFECT_TRANSPARENCY, transparency, surface, ""},
-        {"transmission", 0, transmission, {}, "drawn opaque, nothing is refracted"},
+        {"transmission", 0, transmission, {}, "drawn as opacity 1 - kt, nothing is refracted"},
         {"reflection", 0, reflection, {}, "drawn without what they would mirror"},
         {"fresnel", 0, fresnel, {}, "drawn without the split of reflection and transmission"},
         {"scatter", 0, scatter, {}, "drawn as if polished"},

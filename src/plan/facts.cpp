@@ -14,9 +14,6 @@ namespace {
 bool any(const glm::vec3& c) {
     return c.x > 0 || c.y > 0 || c.z > 0;
 }
-bool below_one(const glm::vec3& c) {
-    return c.x < 1 || c.y < 1 || c.z < 1;
-}
 
 void count_light(const Light& light, Facts& facts) {
     if (!any(light.intensity)) return;
@@ -58,7 +55,7 @@ void count_material(const Material& material, Facts& facts) {
     count_model(material, facts);
     count_detail(material, facts);
     facts.environment_materials += material.environment > 0;
-    facts.translucent_materials += below_one(material.opacity);
+    facts.translucent_materials += is_translucent(material);
     facts.transmissive_materials += any(material.transmission);
     facts.reflective_materials += any(material.reflection.value_or(material.specular));
     facts.mirror_materials += material.reflection && any(*material.reflection);
@@ -104,7 +101,7 @@ std::optional<std::uint32_t> mesh_with_materials(const Scene& scene, const Objec
 
 // One looks through a translucent front, and sees the back.
 bool seen_from_behind(const Material& material, bool open) {
-    return material.two_sided.value_or(open || below_one(material.opacity));
+    return material.two_sided.value_or(open || is_translucent(material));
 }
 
 // Marks the materials of a surface, and says whether it may be seen from behind: whether one of them does not forbid it.

@@ -31,7 +31,7 @@ struct Facts {
     std::size_t environment_materials = 0;                                                               // that mirror it
     std::array<std::size_t, 4> mappings{}; // objects whose texture or bump picture is mapped so, by Mapping
     std::size_t smooth_lobes = 0;          // Cook-Torrance below the least roughness
-    std::size_t translucent_materials = 0; // opacity < 1 in a channel (S13)
+    std::size_t translucent_materials = 0; // opacity < 1 in a channel (S13), transmission counted in
     std::size_t transmissive_materials = 0, reflective_materials = 0, scattering_materials = 0, dispersive_materials = 0;
     std::size_t mirror_materials = 0;  // that name a reflection > 0; the others reflect ks
     std::size_t fresnel_materials = 0; // Fresnel split of reflection and transmission

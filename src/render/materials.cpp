@@ -107,7 +107,7 @@ gpu_layout::Material Converter::convert(const Surface& surface) {
     const Material& m = scene_.materials[surface.material];
     gpu_layout::Material out{};
     out.diffuse = m.diffuse, out.specular = m.specular, out.emission = m.emission, out.shininess = m.shininess;
-    out.opacity = m.opacity;
+    out.opacity = straight_opacity(m);
     out.mirror = m.environment * m.reflection.value_or(glm::vec3(1));
     if (m.model == Model::cook_torrance) out.mirror = glm::vec3(m.environment); // tinted by its Fresnel term
     set_model(m, out);

@@ -92,8 +92,12 @@ MappingBox mapping_box(const Scene& scene, const Object& object, Mapping mapping
 
 } // namespace
 
+glm::vec3 straight_opacity(const Material& material) {
+    return material.opacity * (1.0f - material.transmission);
+}
+
 bool is_translucent(const Material& material) {
-    return material.opacity.r < 1 || material.opacity.g < 1 || material.opacity.b < 1;
+    return glm::any(glm::lessThan(straight_opacity(material), glm::vec3(1)));
 }
 
 bool has_uv(const Scene& scene, const Object& object) {

@@ -10,6 +10,9 @@
 
 namespace lightbench {
 
+// The opacity t that a method without refraction draws (S13): what would be refracted (S16) goes straight through.
+glm::vec3 straight_opacity(const Material& material);
+
 // S13: something behind it is seen through it in some channel.
 bool is_translucent(const Material& material);
 

@@ -58,7 +58,7 @@ TEST_F(Cli, StatsTellThePlanAndTheTimes) {
     EXPECT_EQ(stats["plan"]["passes"], json({"shade-vertices", "raster", "display"}));
     EXPECT_THAT(stats["plan"]["effects"].get<std::vector<std::string>>(), Contains("specular"));
     EXPECT_THAT(stats["plan"]["skipped"].get<std::vector<json>>(),
-                Contains(json({{"effect", "texture"}, {"reason", "no material has one"}})));
+                Contains(json({{"effect", "texture"}, {"reason", "no material has a picture"}})));
     double sum = 0;
     for (const json& pass : stats["time"]["passes"]) sum += pass["device"].get<double>();
     EXPECT_GT(stats["time"]["device"], 0);

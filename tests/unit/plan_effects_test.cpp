@@ -140,16 +140,75 @@ TEST(PlanEffects, ManyMaterialsOnlyIfSeveralAreInUseAndRead) {
 TEST(PlanEffects, WhatIsNotDrawnYetSaysWhatIsDrawnInstead) {
     Scene scene = lit_sphere();
     Material& m = scene.materials[0];
-    m.model = Model::cook_torrance, m.texture.emplace(), m.bump.emplace(), m.environment = 0.5f;
-    m.opacity = glm::vec3(1, 1, 0.5f), m.transmission = glm::vec3(0.1f), m.reflection = glm::vec3(0.2f);
-    m.fresnel = true, m.scatter = 0.1f, m.dispersion = {1.5f, 0.01f};
+    m.transmission = glm::vec3(0.1f), m.reflection = glm::vec3(0.2f), m.fresnel = true, m.scatter = 0.1f, m.dispersion = {1.5f, 0.01f};
     const Plan plan = plan_of(scene);
-    EXPECT_EQ(reason_of(plan.fallbacks, "cook-torrance"),
-              "1 material: drawn as Phong with their ks and shininess; not in the rasteriser of this version");
-    for (const char* name :
-         {"texture", "bump", "environment", "transparency", "transmission", "reflection", "fresnel", "scatter", "dispersion"})
+    EXPECT_EQ(reason_of(plan.fallbacks, "scatter"), "1 material: drawn as if polished; not in the rasteriser of this version");
+    for (const char* name : {"transmission", "reflection", "fresnel", "dispersion"})
         EXPECT_NE(reason_of(plan.fallbacks, name), "(none)") << name;
-    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT);
+    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_TRANSPARENCY | EFFECT_TWO_SIDED) << "opacity 1 - kt";
+}
+
+TEST(PlanEffects, CookTorranceByDistribution) {
+    Scene scene = lit_sphere();
+    Material& m = scene.materials[0];
+    m.model = Model::cook_torrance;
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT) << "ks is 0";
+    m.specular = glm::vec3(1);
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_GAUSSIAN);
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "specular"), "highlights are all by Cook and Torrance");
+    m.distribution = Distribution::beckmann;
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_BECKMANN);
+}
+
+TEST(PlanEffects, TexturesAndTheirMappings) {
+    Scene scene = lit_sphere();
+    scene.materials[0].texture.emplace();
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_CHECKER | EFFECT_MAP_SPHERICAL)
+        << "a sphere has no uv of its own";
+    scene.materials[0].texture->mapping = Mapping::planar;
+    scene.materials[0].texture->picture = 0;
+    scene.pictures.emplace_back();
+    const Plan plan = plan_of(scene);
+    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_TEXTURE | EFFECT_MAP_PLANAR);
+    EXPECT_TRUE(plan.has("texels"));
+    EXPECT_FALSE(plan.has("detail"));
+    scene.materials[0].diffuse = glm::vec3(0);
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "texture"), "1 material, but nothing shows its kd");
+    EXPECT_FALSE(plan_of(scene).has("texels"));
+}
+
+TEST(PlanEffects, BumpsNeedATermThatReadsNormals) {
+    Scene scene = lit_sphere();
+    scene.materials[0].bump.emplace().function = BumpFunction::waves;
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_BUMP_WAVES);
+    scene.materials[0].bump->function = BumpFunction::noise;
+    EXPECT_EQ(plan_of(scene).effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_BUMP_NOISE);
+    scene.lights.clear();
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "bump: noise"), "1 material, but no term reads normals");
+}
+
+TEST(PlanEffects, EnvironmentsAreMirroredAndSeenBehind) {
+    Scene scene = lit_sphere();
+    scene.materials[0].environment = 0.5f;
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "environment: mirrored"), "1 material, but the scene has no map");
+    scene.pictures.resize(6);
+    scene.environment.map = {0};
+    const Plan one = plan_of(scene);
+    EXPECT_EQ(one.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_MIRROR_ENVIRONMENT | EFFECT_BACKGROUND_MAP);
+    EXPECT_TRUE(one.runs("background"));
+    scene.environment.map = {0, 1, 2, 3, 4, 5};
+    EXPECT_TRUE(plan_of(scene).effects & EFFECT_SIX_FACES);
+    scene.environment.map.clear();
+    EXPECT_FALSE(plan_of(scene).runs("background"));
+}
+
+TEST(PlanEffects, TransparencyIsThreePassesAndSeenFromBehind) {
+    Scene scene = lit_sphere();
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_TWO_SIDED);
+    scene.materials[0].opacity = glm::vec3(1, 1, 0.5f);
+    const Plan plan = plan_of(scene);
+    EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_TRANSPARENCY | EFFECT_TWO_SIDED);
+    for (const char* pass : {"count-layers", "list-layers", "blend-layers"}) EXPECT_TRUE(plan.runs(pass)) << pass;
 }
 
 TEST(PlanEffects, NamesOfAMask) {

@@ -31,7 +31,7 @@ TEST(PlanExplain, TextInColumns) {
     EXPECT_THAT(text, ::testing::StartsWith("radiance   raster, phong         42 136 triangles, 2 lights, 1280x720\n"));
     EXPECT_THAT(text, HasSubstr("\n  specular                       3 of 5 materials have ks > 0\n"));
     EXPECT_THAT(text, HasSubstr("\n  attenuation: linear            2 lights\n"));
-    EXPECT_THAT(text, HasSubstr("\n  - texture                      no material has one\n"));
+    EXPECT_THAT(text, HasSubstr("\n  - texture                      no material has a picture\n"));
     EXPECT_THAT(text, HasSubstr("\n  - transparency                 every opacity is 1\n"));
     EXPECT_THAT(text, HasSubstr("\ninstead\n  camera                         the scene has none\n"));
     EXPECT_THAT(text, HasSubstr("\ndisplay    exposure 0, clamp\n"));
