@@ -27,7 +27,6 @@ FETCH_TABLE(texels, FETCH_TEXELS, 14)
 // 2^-126: keeps 1/sqrt finite at 0, and changes nothing above.
 const float kLeastNormal = 1.1754944e-38;
 
-const uint kMaterialTexels = 13u;
 const TexelInfo kNoTexels = TexelInfo(0u, 0u, 0u, 0u);
 const Material kNoMaterial =
     Material(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, kNoTexels, kNoTexels, vec2(0.0), 0.0, 0.0,
@@ -73,7 +72,7 @@ Material read_material(uint index) {
         m.ior = uintBitsToFloat(a.xyz), m.roughness = uintBitsToFloat(a.w);
     }
     if (wants(EFFECT_COOK_TORRANCE | EFFECT_TRANSPARENCY)) {
-        uvec4 a = fetch_materials(at + 4u);
+        uvec4 a = fetch_materials(at + kMaterialOpacity);
         m.opacity = uintBitsToFloat(a.xyz), m.lobe = uintBitsToFloat(a.w);
     }
     if (wants(EFFECT_TEXTURE)) m.texture = texel_info(fetch_materials(at + 5u));

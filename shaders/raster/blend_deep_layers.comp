@@ -5,15 +5,14 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #include "raster/blend.glsl"
 
-FETCH_TABLE(deep_pixels, FETCH_LAYERS, 6)
-FETCH_TABLE(keys_in, FETCH_LAYERS, 8)
+FETCH_TABLE(deep_pixels, FETCH_LAYERS, 8)
+FETCH_TABLE(keys_in, FETCH_LAYERS, 10)
 
 void main() {
     uint deep = invocation();
     if (deep >= push.deep_count) return;
-    uint i = fetch_deep_pixels(deep >> 2u)[deep & 3u];
-    uint first = offset_of(i), n = offset_of(i + 1u) - first;
+    List list = list_of(fetch_deep_pixels(deep >> 2u)[deep & 3u]);
     Blend b = Blend(vec3(0.0), vec3(1.0));
-    for (uint k = 0u; k < n; ++k) blend_layer(b, fetch_keys_in(first + k).z);
-    finish(i, b, n);
+    for (uint k = 0u; k < list.n; ++k) blend_layer(b, fetch_keys_in(record_of(list, k)).z);
+    finish(list, b);
 }

@@ -3,40 +3,58 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_samplerless_texture_functions : require
-#extension GL_EXT_control_flow_attributes : require
 #include "raster/blend.glsl"
 
-layout(constant_id = CONSTANT_LAYERS) const uint kMost = 4u; // layers, a power of two
+layout(constant_id = CONSTANT_LAYERS) const uint kMost = 4u; // layers: 2, 4, 8 or 16
 
+// Every index is a constant, written out: what is indexed in a loop lives in memory, and costs ten times as much (lavapipe).
 uvec3 keys[16];
 
-void order(uint a, uint b) {
-    uvec3 x = keys[a], y = keys[b];
-    bool swap = before(y.xy, x.xy);
-    keys[a] = swap ? y : x;
-    keys[b] = swap ? x : y;
-}
+#define ORDER(A, B)                                   \
+    {                                                 \
+        uvec3 x = keys[A], y = keys[B];               \
+        bool swap = before(y.xy, x.xy);               \
+        keys[A] = swap ? y : x, keys[B] = swap ? x : y; \
+    }
+// Batcher 1968, "Sorting Networks and their Applications": odd-even merge sort.
+#define SORT2(F) ORDER(F, F + 1)
+#define SORT4(F) SORT2(F) SORT2(F + 2) ORDER(F, F + 2) ORDER(F + 1, F + 3) ORDER(F + 1, F + 2)
+#define SORT8(F)                                                                                              \
+    SORT4(F) SORT4(F + 4)                                                                                     \
+    ORDER(F, F + 4) ORDER(F + 1, F + 5) ORDER(F + 2, F + 6) ORDER(F + 3, F + 7)                               \
+    ORDER(F + 2, F + 4) ORDER(F + 3, F + 5) ORDER(F + 1, F + 2) ORDER(F + 3, F + 4) ORDER(F + 5, F + 6)
+#define SORT16                                                                                                \
+    SORT8(0) SORT8(8)                                                                                         \
+    ORDER(0, 8) ORDER(1, 9) ORDER(2, 10) ORDER(3, 11) ORDER(4, 12) ORDER(5, 13) ORDER(6, 14) ORDER(7, 15)     \
+    ORDER(4, 8) ORDER(5, 9) ORDER(6, 10) ORDER(7, 11)                                                         \
+    ORDER(2, 4) ORDER(3, 5) ORDER(6, 8) ORDER(7, 9) ORDER(10, 12) ORDER(11, 13)                               \
+    ORDER(1, 2) ORDER(3, 4) ORDER(5, 6) ORDER(7, 8) ORDER(9, 10) ORDER(11, 12) ORDER(13, 14)
 
-// Batcher 1968, "Sorting Networks and their Applications": odd-even merge sort, all indices constant.
-void sort_keys() {
-    [[unroll]] for (uint p = 1u; p < kMost; p *= 2u)
-        [[unroll]] for (uint k = p; k >= 1u; k /= 2u)
-            [[unroll]] for (uint j = k % p; j + k < kMost; j += 2u * k)
-                [[unroll]] for (uint i = 0u; i < k; ++i)
-                    if (i + j + k < kMost && (i + j) / (2u * p) == (i + j + k) / (2u * p)) order(i + j, i + j + k);
+uvec3 read_key(uint k, List list) {
+    return k < list.n ? key_of(record_of(list, k)) : uvec3(0u, 0xffffffffu, 0u);
 }
+#define READ(K) keys[K] = read_key(K, list);
+#define READ4(F) READ(F) READ(F + 1) READ(F + 2) READ(F + 3)
+#define BLEND(K) if (K < list.n) blend_layer(b, keys[K].z);
+#define BLEND4(F) BLEND(F) BLEND(F + 1) BLEND(F + 2) BLEND(F + 3)
 
 void main() {
     uint i = invocation();
     if (i >= push.size.x * push.size.y) return;
-    uint first = offset_of(i), n = offset_of(i + 1u) - first;
-    if (n == 0u || n > kMost) return;
-    [[unroll]] for (uint k = 0u; k < kMost; ++k) {
-        uvec2 key = k < n ? fetch_layers(kRecordWords * (first + k)).xy : uvec2(0u, 0xffffffffu);
-        keys[k] = uvec3(key, first + k);
-    }
-    sort_keys();
+    List list = list_of(i);
+    if (list.n == 0u || list.n > kMost) return;
     Blend b = Blend(vec3(0.0), vec3(1.0));
-    for (uint k = 0u; k < n; ++k) blend_layer(b, keys[k].z);
-    finish(i, b, n);
+    READ(0) READ(1)
+    if (kMost > 2u) { READ(2) READ(3) }
+    if (kMost > 4u) READ4(4)
+    if (kMost > 8u) { READ4(8) READ4(12) }
+    if (kMost == 2u) { SORT2(0) }
+    if (kMost == 4u) { SORT4(0) }
+    if (kMost == 8u) { SORT8(0) }
+    if (kMost == 16u) { SORT16 }
+    BLEND(0) BLEND(1)
+    if (kMost > 2u) { BLEND(2) BLEND(3) }
+    if (kMost > 4u) { BLEND4(4) }
+    if (kMost > 8u) { BLEND4(8) BLEND4(12) }
+    finish(list, b);
 }

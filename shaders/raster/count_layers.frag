@@ -9,4 +9,7 @@ layout(early_fragment_tests) in;
 layout(push_constant, scalar) uniform Push { ShadePush push; };
 layout(set = 0, binding = 18, scalar) buffer Counts { uint counts[]; };
 
-void main() { atomicAdd(counts[tile_pixel(uvec2(gl_FragCoord.xy), push.list_origin, push.list_width)], 1u); }
+void main() {
+    uvec2 at = uvec2(gl_FragCoord.xy) - uvec2(push.list_origin & 0xffffu, push.list_origin >> 16u);
+    atomicAdd(counts[tile_pixel(at, push.list_width)], 1u);
+}

@@ -7,20 +7,21 @@
 #include "raster/layers.glsl"
 
 layout(early_fragment_tests) in;
-layout(set = 0, binding = 18, scalar) buffer Counts { uint counts[]; };
+layout(set = 0, binding = 18, scalar) buffer Cursors { uint cursors[]; }; // how many records each pixel has so far
 layout(set = 0, binding = 19, scalar) writeonly buffer Layers { uvec4 layers[]; };
-FETCH_TABLE(offsets, FETCH_LAYERS, 20)
-
-uint offset_of(uint i) { return fetch_offsets(i >> 2u)[i & 3u]; }
+layout(set = 0, binding = 22, scalar) writeonly buffer Surfaces { uint surfaces[]; };
+layout(set = 0, binding = 23, scalar) writeonly buffer Opacities { vec4 opacities[]; };
+FETCH_TABLE(blocks, FETCH_LAYERS, 20)
 
 void main() {
-    uint pixel = tile_pixel(uvec2(gl_FragCoord.xy), push.list_origin, push.list_width);
+    uvec2 at = uvec2(gl_FragCoord.xy) - uvec2(push.list_origin & 0xffffu, push.list_origin >> 16u);
     Fragment f = surface_fragment();
-    uint first = offset_of(pixel), place = atomicAdd(counts[pixel], 1u);
-    if (place < offset_of(pixel + 1u) - first) { // one that was not counted stays out, and is found out when the pixel is blended
-        uint at = kRecordWords * (first + place);
-        uvec3 t = floatBitsToUint(f.opacity);
-        layers[at] = uvec4(floatBitsToUint(gl_FragCoord.z), tie_of(f.opacity, f.radiance), t.xy);
-        layers[at + 1u] = uvec4(t.z, floatBitsToUint(f.radiance));
+    uvec4 block = fetch_blocks(block_at(at, push.list_width));
+    uint place = atomicAdd(cursors[tile_pixel(at, push.list_width)], 1u);
+    if (place < block.y) { // one that was not counted may stay out, and is found out when the pixel is blended
+        uint record = record_of(block, place, at);
+        layers[record] = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(f.radiance));
+        if (wants(EFFECT_TEXTURE)) opacities[record] = vec4(f.opacity, 0.0);
+        else if (wants(EFFECT_MANY_MATERIALS)) surfaces[record] = material;
     }
 }

@@ -8,29 +8,29 @@
 
 layout(constant_id = CONSTANT_LAYERS) const uint kFirstLevel = 0u; // 1: from the records
 
-FETCH_TABLE(deep_pixels, FETCH_LAYERS, 6)
-FETCH_TABLE(keys_in, FETCH_LAYERS, 8)
-layout(set = 0, binding = 10, scalar) writeonly buffer KeysOut { uvec4 keys_out[]; };
+FETCH_TABLE(deep_pixels, FETCH_LAYERS, 8)
+FETCH_TABLE(keys_in, FETCH_LAYERS, 10)
+layout(set = 0, binding = 12, scalar) writeonly buffer KeysOut { uvec4 keys_out[]; };
 
-// (depth, tie, record)
-uvec3 read_key(uint at) {
-    if (kFirstLevel != 0u) return uvec3(fetch_layers(kRecordWords * at).xy, at);
-    return fetch_keys_in(at).xyz;
+// (depth, tie, record) of the layer at a place of the list; keys lie where records do.
+uvec3 read_key(List list, uint place) {
+    uint record = record_of(list, min(place, list.n - 1u));
+    if (kFirstLevel != 0u) return key_of(record);
+    return fetch_keys_in(record).xyz;
 }
 
 void main() {
     uint deep = invocation() / push.pairs, pair = invocation() % push.pairs;
     if (deep >= push.deep_count) return;
-    uint i = fetch_deep_pixels(deep >> 2u)[deep & 3u];
-    uint first = offset_of(i), end = offset_of(i + 1u);
-    uint a = first + 2u * push.run * pair, a_end = min(a + push.run, end), b = a_end, b_end = min(b + push.run, end);
-    if (a >= end) return;
-    uvec3 from_a = read_key(a), from_b = read_key(min(b, end - 1u));
-    for (uint out_at = a; out_at < b_end; ++out_at) {
+    List list = list_of(fetch_deep_pixels(deep >> 2u)[deep & 3u]);
+    uint a = 2u * push.run * pair, a_end = min(a + push.run, list.n), b = a_end, b_end = min(b + push.run, list.n);
+    if (a >= list.n) return;
+    uvec3 from_a = read_key(list, a), from_b = read_key(list, b);
+    for (uint place = a; place < b_end; ++place) {
         bool take_a = b >= b_end || (a < a_end && !before(from_b.xy, from_a.xy));
-        keys_out[out_at] = uvec4(take_a ? from_a : from_b, 0u);
+        keys_out[record_of(list, place)] = uvec4(take_a ? from_a : from_b, 0u);
         a += take_a ? 1u : 0u, b += take_a ? 0u : 1u;
-        uvec3 next = read_key(min(take_a ? a : b, end - 1u));
+        uvec3 next = read_key(list, take_a ? a : b);
         from_a = take_a ? next : from_a;
         from_b = take_a ? from_b : next;
     }

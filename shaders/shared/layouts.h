@@ -4,6 +4,7 @@
 #define LIGHTBENCH_SHARED_LAYOUTS_H
 
 #ifdef __cplusplus
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 namespace lightbench::gpu_layout {
@@ -21,6 +22,9 @@ const uint kLightSpot = 2u;
 const uint kAttenuationNone = 0u;
 const uint kAttenuationLinear = 1u;
 const uint kAttenuationInverseSquare = 2u;
+
+const uint kMaterialTexels = 13u;  // of a Material
+const uint kMaterialOpacity = 4u;  // the texel that begins with it
 
 struct PointPosition {
     vec3 position;     // frame
@@ -122,10 +126,12 @@ struct ShadePush {
 struct LayersPush {
     uvec2 origin;      // pixels, of the tile in the image
     uvec2 size;        // pixels, of the tile
+    uvec2 counted_origin; // pixels, of the area that was counted
+    uint counted_width;   // pixels
     uint run;          // keys of a sorted run
     uint deep_count;   // pixels with many layers
     uint pairs;        // of runs, of the pixel that has most
-    uint pad0;
+    uint pad0, pad1;
 };
 
 struct DisplayPush {
@@ -149,8 +155,8 @@ struct Census {
 
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
-static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 208 && sizeof(Light) == 64);
-static_assert(sizeof(ShadePush) == 128 && sizeof(LayersPush) == 32 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
+static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 16 * kMaterialTexels && offsetof(Material, opacity) == 16 * kMaterialOpacity && sizeof(Light) == 64);
+static_assert(sizeof(ShadePush) == 128 && sizeof(LayersPush) == 48 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif
 #endif

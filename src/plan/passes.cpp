@@ -68,9 +68,9 @@ void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_re
     if (!(plan.effects & EFFECT_TRANSPARENCY)) return;
     passes.push_back({"count-layers", "translucent fragments of each pixel", {"vertices", "indices", "depth"}, {"layer-counts"}});
     Names reads = drawn_from(plan, lit_reads);
-    reads.insert(reads.end(), {"depth", "layer-offsets", "layer-counts"});
-    passes.push_back({"list-layers", "their color, opacity and depth", std::move(reads), {"layers"}});
-    passes.push_back({"blend-layers", "in order of depth, over what is opaque", {"layers", "layer-offsets", "radiance"}, {"radiance"}});
+    reads.insert(reads.end(), {"depth", "layer-blocks", "layer-counts"});
+    passes.push_back({"list-layers", "their color, opacity and depth", std::move(reads), {"layers", "layer-cursors"}});
+    passes.push_back({"blend-layers", "in order of depth, over what is opaque", {"layers", "layer-blocks", "layer-counts", "layer-cursors", "radiance"}, {"radiance"}});
 }
 
 } // namespace

@@ -103,8 +103,9 @@ Resource describe(const std::string& name, const Facts& facts, const Plan& plan)
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
     if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));
     if (name == "texels") return {name, 0, fmt::format("{} pictures with their smaller levels", facts.pictures)};
-    if (name == "layer-counts" || name == "layer-offsets") return target(name, 4, "a number a pixel", plan);
-    if (name == "layers") return {name, 0, "32 bytes a translucent fragment: sized by their count"};
+    if (name == "layer-counts" || name == "layer-cursors") return target(name, 4, "a number a pixel", plan);
+    if (name == "layer-blocks") return target(name, 1, "16 bytes for 64 pixels", plan);
+    if (name == "layers") return {name, 0, "16 bytes a translucent fragment, and its surface or opacity: sized by their count"};
     if (name == "depth") return target(name, 4 * plan.multisamples, "float, reversed", plan);
     if (name == "radiance-samples") return target(name, 16 * plan.multisamples, fmt::format("{} samples a pixel", plan.multisamples), plan);
     if (name == "radiance" || name == "sum" || name.starts_with("layer-")) return target(name, 16, "linear, 4 floats", plan);

@@ -126,8 +126,11 @@ void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& bu
                                                                                {"detail", "detail_storage"},
                                                                                {"polygon_colors", "polygon_colors_storage"},
                                                                                {"polygon_objects", "polygon_objects_storage"},
-                                                                               {"offsets", "offsets_storage"},
+                                                                               {"counts", "counts_storage"},
+                                                                               {"blocks", "blocks_storage"},
                                                                                {"layers", "layers_storage"},
+                                                                               {"layer_surfaces", "layer_surfaces_storage"},
+                                                                               {"layer_opacities", "layer_opacities_storage"},
                                                                                {"deep_pixels", "deep_pixels_storage"},
                                                                                {"keys_in", "keys_in_storage"}};
     if (!buffer) return;

@@ -1,6 +1,7 @@
 // Counting, listing, sorting and blending of layers.
 #include "render/layers.h"
 
+#include "gpu/check.h"
 #include "gpu/errors.h"
 #include "gpu/memory_budget.h"
 #include "render/shaders.h"
@@ -14,7 +15,7 @@
 namespace lightbench {
 namespace {
 
-constexpr std::uint64_t kRecordBytes = 32, kKeyBytes = 16;
+constexpr std::uint64_t kRecordBytes = 16, kKeyBytes = 16;
 constexpr std::uint32_t kMostInRegisters = 16; // layers that blend_layers.comp can sort
 // The last level of the sort loops once a layer, and lavapipe ends loops after 65 535 iterations of a SIMD group.
 constexpr std::uint32_t kMostLayers = 60000;
@@ -28,9 +29,18 @@ void grow(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::uint6
         gpu::make_texel_buffer(device, name, std::min(std::max<std::uint64_t>(bytes + bytes / 2, 16) / 16 * 16, std::max(largest, bytes)));
 }
 
-gpu::ComputePipeline make(const LayerWork& w, const char* shader, std::uint32_t number) {
-    const gpu::Constants constants{{CONSTANT_FETCH_STORAGE, w.scene.fetch_storage}, {CONSTANT_LAYERS, number}};
-    return gpu::make_compute(w.device, find_shader(shader), constants, sizeof(gpu_layout::LayersPush));
+// Where the opacity of a record is found depends on these.
+std::uint32_t effects_of(const LayerWork& w) {
+    return w.variant.effects & (EFFECT_TEXTURE | EFFECT_MANY_MATERIALS);
+}
+
+// `number`: see the shader.
+const gpu::ComputePipeline& pipeline_of(Layers& layers, const LayerWork& w, const char* shader, std::uint32_t number) {
+    gpu::ComputePipeline& pipeline = layers.pipelines[{shader, effects_of(w), number}];
+    const gpu::Constants constants{
+        {CONSTANT_EFFECTS, effects_of(w)}, {CONSTANT_FETCH_STORAGE, w.scene.fetch_storage}, {CONSTANT_LAYERS, number}};
+    if (!pipeline) pipeline = gpu::make_compute(w.device, find_shader(shader), constants, sizeof(gpu_layout::LayersPush));
+    return pipeline;
 }
 
 void submit(const LayerWork& w) {
@@ -46,7 +56,10 @@ vk::Rect2D rect_of(const Rect& crop, const LayerTile& tile) {
 std::vector<std::uint32_t> count_layers(Layers& layers, const LayerWork& w) {
     const Rect& crop = w.plan.crop;
     const std::uint64_t bytes = std::uint64_t{crop.size.x} * crop.size.y * 4;
-    if (!layers.counts) layers.counts = gpu::make_buffer(w.device, "layer-counts", bytes, kStorage);
+    if (!layers.counts) {
+        layers.counts = gpu::make_texel_buffer(w.device, "layer-counts", (bytes + 15) / 16 * 16);
+        layers.cursors = gpu::make_buffer(w.device, "layer-cursors", bytes, kStorage);
+    }
     w.recorder.fill(layers.counts, 0);
     RasterVariant places = w.variant;
     places.output = OUTPUT_DEPTH;
@@ -54,45 +67,56 @@ std::vector<std::uint32_t> count_layers(Layers& layers, const LayerWork& w) {
     record_translucent(w.recorder, w.plan, w.scene, w.geometry, places, w.targets, w.draw,
                        {"count-layers", w.pipelines.count, rect_of(crop, whole), {{"Counts", layers.counts}}, crop.offset, crop.size.x});
     submit(w);
-    return gpu::download_all<std::uint32_t>(w.device, layers.counts);
+    std::vector<std::uint32_t> counts = gpu::download_all<std::uint32_t>(w.device, layers.counts);
+    counts.resize(std::size_t{crop.size.x} * crop.size.y); // without what fills the last texel
+    return counts;
 }
 
-// offsets[i] for every pixel of the tile and one more; the pixels with more layers than registers hold.
+// Where the records of each block begin, and the most layers of its pixels; the pixels with more layers than registers hold.
 struct TileLists {
-    std::vector<std::uint32_t> offsets, deep;
+    std::vector<glm::uvec4> blocks;
+    std::vector<std::uint32_t> deep;
 };
 
 TileLists lists_of(const LayerTile& tile, std::span<const std::uint32_t> counts, std::uint32_t width) {
     TileLists lists;
-    std::uint32_t sum = 0;
     for (std::uint32_t y = 0; y < tile.height; ++y)
-        for (std::uint32_t x = 0; x < tile.width; ++x) {
-            const std::uint32_t n = counts[std::size_t{tile.y + y} * width + tile.x + x];
-            if (n > kMostInRegisters) lists.deep.push_back(static_cast<std::uint32_t>(lists.offsets.size()));
-            lists.offsets.push_back(sum);
-            sum += n;
+        for (std::uint32_t x = 0; x < tile.width; ++x)
+            if (counts[std::size_t{tile.y + y} * width + tile.x + x] > kMostInRegisters) lists.deep.push_back(y * tile.width + x);
+    std::uint32_t records = 0;
+    for (std::uint32_t y = 0; y < tile.height; y += kBlock)
+        for (std::uint32_t x = 0; x < tile.width; x += kBlock) {
+            const std::uint32_t most = most_in_block(counts, width, tile.x + x, tile.y + y, tile.x + tile.width, tile.y + tile.height);
+            lists.blocks.emplace_back(records, most, pixels_of_block(tile), 0);
+            records += most * pixels_of_block(tile);
         }
-    lists.offsets.push_back(sum);
-    lists.offsets.resize((lists.offsets.size() + 3) / 4 * 4, sum);
+    CHECK(records == tile.records);
     return lists;
 }
 
 void upload_lists(Layers& layers, const LayerWork& w, const LayerTile& tile, TileLists& lists, std::uint64_t largest) {
-    grow(w.device, layers.offsets, "layer-offsets", lists.offsets.size() * 4, largest);
-    gpu::upload(w.device, layers.offsets, std::as_bytes(std::span(lists.offsets)));
-    grow(w.device, layers.records, "layers", tile.layers * kRecordBytes, largest);
+    grow(w.device, layers.blocks, "layer-blocks", lists.blocks.size() * sizeof(glm::uvec4), largest);
+    gpu::upload(w.device, layers.blocks, std::as_bytes(std::span(lists.blocks)));
+    grow(w.device, layers.records, "layers", tile.records * kRecordBytes, largest);
+    if (effects_of(w) & EFFECT_TEXTURE)
+        grow(w.device, layers.opacities, "layer-opacities", tile.records * kRecordBytes, largest);
+    else if (effects_of(w) & EFFECT_MANY_MATERIALS)
+        grow(w.device, layers.surfaces, "layer-surfaces", (tile.records * 4 + 15) / 16 * 16, largest);
     if (lists.deep.empty()) return;
-    const std::vector<std::uint32_t> padding((4 - lists.deep.size() % 4) % 4, lists.deep.front());
-    lists.deep.insert(lists.deep.end(), padding.begin(), padding.end());
+    lists.deep.resize((lists.deep.size() + 3) / 4 * 4, lists.deep.front());
     grow(w.device, layers.deep_pixels, "deep-pixels", lists.deep.size() * 4, largest);
     gpu::upload(w.device, layers.deep_pixels, std::as_bytes(std::span(lists.deep)));
-    for (gpu::Buffer& keys : layers.keys) grow(w.device, keys, "layer-keys", tile.layers * kKeyBytes, largest);
+    for (gpu::Buffer& keys : layers.keys) grow(w.device, keys, "layer-keys", tile.records * kKeyBytes, largest);
 }
 
 gpu::Bindings bindings_of(Layers& layers, const LayerWork& w) {
-    gpu::Bindings bindings{{"radiance", w.targets.resolved}, {"Counts", layers.counts}};
-    offer_table(bindings, "offsets", layers.offsets);
+    gpu::Bindings bindings{{"radiance", w.targets.resolved}, {"Cursors", layers.cursors}};
+    offer_table(bindings, "counts", layers.counts);
+    offer_table(bindings, "blocks", layers.blocks);
     offer_table(bindings, "layers", layers.records);
+    offer_table(bindings, "layer_surfaces", layers.surfaces);
+    offer_table(bindings, "layer_opacities", layers.opacities);
+    offer_table(bindings, "materials", w.scene.materials);
     return bindings;
 }
 
@@ -104,21 +128,13 @@ gpu::Groups groups_of(std::uint32_t invocations) {
 
 void blend_few(Layers& layers, const LayerWork& w, const LayerTile& tile, const gpu_layout::LayersPush& push) {
     const std::uint32_t most = std::clamp(std::bit_ceil(tile.most), 2u, kMostInRegisters);
-    gpu::ComputePipeline& pipeline = layers.blend[most];
-    if (!pipeline) pipeline = make(w, "raster/blend_layers.comp", most);
-    w.recorder.compute("blend-layers", pipeline, bindings_of(layers, w), push, groups_of(tile.width * tile.height));
+    w.recorder.compute("blend-layers", pipeline_of(layers, w, "raster/blend_layers.comp", most), bindings_of(layers, w), push,
+                       groups_of(tile.width * tile.height));
 }
 
 // A merge sort, one dispatch a level: the work of an invocation is bounded by the run that it writes.
 void blend_many(Layers& layers, const LayerWork& w, const LayerTile& tile, gpu_layout::LayersPush push) {
-    if (!layers.merge_first) {
-        layers.merge_first = make(w, "raster/merge_layers.comp", 1);
-        layers.merge_next = make(w, "raster/merge_layers.comp", 0);
-        layers.blend_deep = make(w, "raster/blend_deep_layers.comp", 0);
-    }
-    gpu::Bindings bindings;
-    offer_table(bindings, "offsets", layers.offsets);
-    offer_table(bindings, "layers", layers.records);
+    gpu::Bindings bindings = bindings_of(layers, w);
     offer_table(bindings, "deep_pixels", layers.deep_pixels);
     unsigned from = 1;
     for (push.run = 1; push.run < tile.most; push.run *= 2) {
@@ -126,14 +142,13 @@ void blend_many(Layers& layers, const LayerWork& w, const LayerTile& tile, gpu_l
         offer_table(level, "keys_in", layers.keys[from]);
         level.emplace_back("KeysOut", layers.keys[1 - from]);
         push.pairs = (tile.most + 2 * push.run - 1) / (2 * push.run);
-        const auto& pipeline = push.run == 1 ? layers.merge_first : layers.merge_next;
+        const auto& pipeline = pipeline_of(layers, w, "raster/merge_layers.comp", push.run == 1 ? 1 : 0);
         w.recorder.compute("sort-layers", pipeline, level, push, groups_of(push.pairs * push.deep_count));
         from = 1 - from;
     }
-    bindings.emplace_back("radiance", w.targets.resolved);
-    bindings.emplace_back("Counts", layers.counts);
     offer_table(bindings, "keys_in", layers.keys[from]);
-    w.recorder.compute("blend-layers", layers.blend_deep, bindings, push, groups_of(push.deep_count));
+    w.recorder.compute("blend-layers", pipeline_of(layers, w, "raster/blend_deep_layers.comp", 0), bindings, push,
+                       groups_of(push.deep_count));
 }
 
 std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& tile, std::span<const std::uint32_t> counts,
@@ -142,14 +157,16 @@ std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& til
     const auto deep = static_cast<std::uint32_t>(lists.deep.size());
     submit(w); // what reads the buffers that are filled now
     upload_lists(layers, w, tile, lists, largest);
-    w.recorder.fill(layers.counts, 0);
+    w.recorder.fill(layers.cursors, 0);
     const glm::uvec2 origin = w.plan.crop.offset + glm::uvec2(tile.x, tile.y);
     TranslucentDraw draw{
-        "list-layers", w.pipelines.list, rect_of(w.plan.crop, tile), {{"Counts", layers.counts}, {"Layers", layers.records}},
+        "list-layers", w.pipelines.list, rect_of(w.plan.crop, tile), {{"Cursors", layers.cursors}, {"Layers", layers.records}},
         origin,        tile.width};
-    offer_table(draw.bindings, "offsets", layers.offsets);
+    if (layers.surfaces) draw.bindings.emplace_back("Surfaces", layers.surfaces);
+    if (layers.opacities) draw.bindings.emplace_back("Opacities", layers.opacities);
+    offer_table(draw.bindings, "blocks", layers.blocks);
     const std::size_t triangles = record_translucent(w.recorder, w.plan, w.scene, w.geometry, w.variant, w.targets, w.draw, draw);
-    const gpu_layout::LayersPush push{origin, {tile.width, tile.height}, 0, deep, 0, 0};
+    const gpu_layout::LayersPush push{origin, {tile.width, tile.height}, w.plan.crop.offset, w.plan.crop.size.x, 0, deep, 0, 0, 0};
     blend_few(layers, w, tile, push);
     if (deep > 0) blend_many(layers, w, tile, push);
     return triangles;
@@ -170,7 +187,7 @@ std::size_t record_layers(Layers& layers, const LayerWork& w) {
     const auto tiles = cut_into_tiles(counts, w.plan.crop.size.x, largest / kRecordBytes);
     std::size_t triangles = 0;
     for (const LayerTile& tile : tiles) {
-        if (tile.layers * kRecordBytes > largest)
+        if (tile.records * kRecordBytes > largest)
             throw gpu::EnvironmentError(fmt::format("a pixel has {} translucent layers, and {} hold {}", tile.most,
                                                     gpu::show_bytes(largest), largest / kRecordBytes));
         if (tile.most > kMostLayers)

@@ -8,15 +8,15 @@
 #include "render/raster.h"
 
 #include <map>
+#include <tuple>
 
 namespace lightbench {
 
 // Made once a scene; buffers grow as images need them.
 struct Layers {
-    gpu::Buffer counts, offsets, records, deep_pixels;
-    std::array<gpu::Buffer, 2> keys;                     // of pixels with many layers: the sort goes back and forth
-    std::map<std::uint32_t, gpu::ComputePipeline> blend; // by the most layers that they sort
-    gpu::ComputePipeline merge_first, merge_next, blend_deep;
+    gpu::Buffer counts, cursors, blocks, records, surfaces, opacities, deep_pixels;
+    std::array<gpu::Buffer, 2> keys; // of pixels with many layers: the sort goes back and forth
+    std::map<std::tuple<std::string, std::uint32_t, std::uint32_t>, gpu::ComputePipeline> pipelines; // by shader, effects, number
     std::uint64_t largest = 0; // bytes that a list may have; 0: what the device allows
 };
 

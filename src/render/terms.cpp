@@ -8,13 +8,13 @@ namespace {
 
 constexpr std::uint32_t kLights = EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT | EFFECT_ATTENUATION_NONE |
                                   EFFECT_ATTENUATION_LINEAR | EFFECT_ATTENUATION_INVERSE_SQUARE | EFFECT_COMPENSATED_SUM;
-constexpr std::uint32_t kSurface =
-    EFFECT_TWO_SIDED | EFFECT_MANY_MATERIALS | EFFECT_VANISHING_NORMALS | EFFECT_ANY_BUMP | EFFECT_ANY_MAPPING | EFFECT_TRANSPARENCY;
+constexpr std::uint32_t kSurface = EFFECT_TWO_SIDED | EFFECT_MANY_MATERIALS | EFFECT_VANISHING_NORMALS | EFFECT_ANY_BUMP |
+                                   EFFECT_ANY_TEXTURE | EFFECT_ANY_MAPPING | EFFECT_TRANSPARENCY;
 
 // The light terms (the first six) add up to the image; the others tell how it came about.
 constexpr Term kTerms[] = {
-    {"ambient", EFFECT_AMBIENT | EFFECT_ANY_TEXTURE | kSurface, OUTPUT_RADIANCE, true, false},
-    {"diffuse", EFFECT_DIFFUSE | EFFECT_ANY_TEXTURE | kLights | kSurface, OUTPUT_RADIANCE, true, false},
+    {"ambient", EFFECT_AMBIENT | kSurface, OUTPUT_RADIANCE, true, false},
+    {"diffuse", EFFECT_DIFFUSE | kLights | kSurface, OUTPUT_RADIANCE, true, false},
     {"specular", EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | kLights | kSurface, OUTPUT_RADIANCE, true, false},
     {"emission", EFFECT_EMISSION | kSurface, OUTPUT_RADIANCE, true, false},
     {"reflected", EFFECT_MIRROR_ENVIRONMENT | EFFECT_SIX_FACES | EFFECT_COOK_TORRANCE | kSurface, OUTPUT_RADIANCE, true, false},

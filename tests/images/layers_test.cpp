@@ -155,11 +155,11 @@ struct Budget {
 TEST(Layers, TilesChangeNoByte) {
     const Scene scene = tangle(20);
     const std::vector<float> whole = draw(scene, {64, 48}).output.radiance->rgba;
-    for (const char* budget : {"256K", "16K", "3K"}) { // 2048, 128 and 24 fragments a tile
+    for (const char* budget : {"1M", "64K", "2K"}) { // 16384, 1024 and 32 records a tile
         const Budget low(budget);
         EXPECT_EQ(draw(scene, {64, 48}).output.radiance->rgba, whole) << budget;
     }
-    const Budget none("2K");
+    const Budget none("1K");
     EXPECT_THROW(draw(scene, {64, 48}), gpu::EnvironmentError);
 }
 
@@ -230,7 +230,7 @@ TEST(Layers, OpaqueScenesHaveNoneOfIt) {
     const Rendered r = draw(scene);
     EXPECT_FALSE(r.plan.effects & EFFECT_TRANSPARENCY);
     for (const char* pass : {"count-layers", "list-layers", "blend-layers"}) EXPECT_FALSE(r.plan.runs(pass)) << pass;
-    for (const char* resource : {"layers", "layer-counts", "layer-offsets"}) EXPECT_FALSE(r.plan.has(resource)) << resource;
+    for (const char* resource : {"layers", "layer-counts", "layer-blocks"}) EXPECT_FALSE(r.plan.has(resource)) << resource;
     ASSERT_EQ(r.output.times.size(), 1u);
     EXPECT_EQ(r.output.times[0].name, "raster");
 }
