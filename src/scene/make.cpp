@@ -50,12 +50,12 @@ constexpr MakeParameter kMesh[] = {{"triangles", 1e6, 12, kMeshMax, true, "about
 
 constexpr MakeParameter kTeapot[] = {{"pieces", 16, 1, 128, true, "that each side of a patch is cut into"},
                                      {"environment", 1, 0, 1, false, "weight of environment mapping; 1: chrome"}};
-constexpr MakeParameter kMetals[] = {{"rows", 4, 1, 16, true, "roughnesses, smooth ones in front"},
-                                     {"smoothest", 0.1, 0.001, 10, false, "rms slope m of the front row"},
-                                     {"roughest", 0.5, 0.001, 10, false, "of the back row; those between in equal ratios"}};
+constexpr MakeParameter kMetals[] = {{"rows", 4, 1, 16, true, "roughnesses, a shelf each, smooth ones above"},
+                                     {"smoothest", 0.1, 0.001, 10, false, "rms slope m of the upper shelf"},
+                                     {"roughest", 0.5, 0.001, 10, false, "of the lowest; those between in equal ratios"}};
 constexpr MakeParameter kPanes[] = {
-    {"n", 1000, 1, 100000, true, "panes that all overlap, listed out of order", "no picture of more ends in reasonable time"},
-    {"opacity", 0.01, 0, 1, false, "of each pane, in the channels that it colors; half of it in the others"},
+    {"n", 1000, 1, 100000, true, "panes that all overlap in the middle, listed out of order", "no picture of more ends in reasonable time"},
+    {"opacity", 0.04, 0, 1, false, "of each pane, in the channels that it colors; half of it in the others"},
     {"tilt", 0, 0, 80, false, "degrees, by which panes lean at most, each its own way; above 0 they intersect"}};
 
 constexpr MakeKind kKinds[] = {
@@ -76,7 +76,7 @@ constexpr MakeKind kKinds[] = {
     {"teapot", "Newell's teapot (1975): 32 Bezier patches, of chrome", kTeapot, make_teapot},
     {"metals", "copper, gold, silver and aluminium of Cook-Torrance (left of each pair) beside Phong, smooth to rough", kMetals,
      make_metals},
-    {"panes", "n translucent panes behind each other, out of order", kPanes, make_panes},
+    {"panes", "n translucent panes behind each other, a spiral of petals, out of order", kPanes, make_panes},
 };
 
 template <typename Rows> std::vector<std::string_view> names_of(const Rows& rows) {

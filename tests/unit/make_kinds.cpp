@@ -464,7 +464,7 @@ TEST(Make, MetalsStandBesideTheirPaint) {
         EXPECT_FLOAT_EQ(metal.roughness, 0.1f * std::pow(2.0f, static_cast<float>(i / 8)));
         EXPECT_EQ(paint.name, "painted-" + metal.name);
         for (int k = 0; k < 3; ++k) EXPECT_TRUE(metal.f0->operator[](k) > 0.3f && metal.f0->operator[](k) < 1);
-        EXPECT_NEAR(paint.shininess, 2 / (metal.roughness * metal.roughness) - 2, 1e-3);
+        EXPECT_NEAR(paint.shininess, 0.5f / (metal.roughness * metal.roughness) - 0.5f, 1e-3);
         for (std::size_t j = 0; j < i; ++j)
             EXPECT_GT(glm::distance(balls[i].center, balls[j].center), balls[i].radius + balls[j].radius) << "they do not touch";
     }
