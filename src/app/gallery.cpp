@@ -1,8 +1,8 @@
-// lightbench gallery -o DIR: the default scene in every shading mode and the known failures of interpolated shading with their cures,
-// as pictures and a page that shows them side by side.
+// lightbench gallery -o DIR: the exhibits, rendered, and a page that shows their pictures side by side.
 #include "app/assets.h"
 #include "app/commands.h"
 #include "app/errors.h"
+#include "app/gallery_exhibits.h"
 #include "app/gallery_page.h"
 #include "app/messages.h"
 #include "app/numbers.h"
@@ -14,7 +14,6 @@
 #include "image/metrics.h"
 #include "plan/explain.h"
 #include "render/render.h"
-#include "scene/make.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -25,76 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ShotRow {
-    const char* caption;
-    const char* file; // without extension
-    Shading shading;
-    MakeArguments arguments = {};
-};
-
-struct ExhibitRow {
-    const char* title;
-    const char* text;
-    const char* kind; // of `make`; null: the default scene
-    int reference;    // index of the shot that the others are measured against; -1: none
-    std::vector<ShotRow> shots;
-};
-
-const std::vector<ExhibitRow>& exhibit_rows() {
-    using enum Shading;
-    static const std::vector<ExhibitRow> rows = {
-        {"Three places to evaluate one model",
-         "The same illumination model, evaluated once a polygon (flat), once a vertex (Gouraud) and once a pixel (Phong).",
-         nullptr,
-         2,
-         {{"flat", "default-flat", flat}, {"Gouraud", "default-gouraud", gouraud}, {"Phong", "default-phong", phong}}},
-        {"The lost highlight",
-         "A highlight in the middle of one large triangle. Gouraud knows the vertices only, where there is none; Phong, or a finer mesh, "
-         "finds it.",
-         "highlight",
-         2,
-         {{"flat", "highlight-flat", flat},
-          {"Gouraud: lost", "highlight-gouraud", gouraud},
-          {"Phong: the cure", "highlight-phong", phong},
-          {"Gouraud, each triangle in 256: the other cure", "highlight-fine", gouraud, {{"subdivide", "4"}}}}},
-        {"The corrugated sheet",
-         "On a regular zigzag the averages of neighbouring normals are all parallel: interpolated shading sees a plane. Strips within each "
-         "side keep "
-         "the side's own normal.",
-         "corrugated",
-         3,
-         {{"flat", "corrugated-flat", flat},
-          {"Gouraud: looks flat", "corrugated-gouraud", gouraud},
-          {"Phong: looks flat too", "corrugated-phong", phong},
-          {"Phong, 16 strips a side: the cure", "corrugated-fine", phong, {{"subdivide", "16"}}}}},
-        {"The crease",
-         "Left: normals averaged over every edge, which smears shading across corners. Right: edges sharper than 30 degrees stay edges.",
-         "crease",
-         3,
-         {{"flat", "crease-flat", flat},
-          {"Gouraud", "crease-gouraud", gouraud},
-          {"Phong", "crease-phong", phong},
-          {"Phong, edges kept on both sides: the cure", "crease-kept", phong, {{"left", "30"}}}}},
-        {"The quad",
-         "Four corner intensities do not say what lies between them. Split along its bright diagonal (left), along its dark one (middle), "
-         "interpolated along scan lines (right), as Gouraud did in 1971: that one changes when the quad is turned, the triangles do not.",
-         "quads",
-         -1,
-         {{"Gouraud", "quads-gouraud", gouraud}, {"Gouraud, turned by 30 degrees", "quads-turned", gouraud, {{"turn", "30"}}}}},
-        {"Mach bands",
-         "Intensity that is linear between vertices has kinks at them, and the eye draws a line at each. Phong bends instead of kinking; "
-         "more facets "
-         "make the kinks smaller.",
-         "mach-band",
-         3,
-         {{"flat", "mach-band-flat", flat},
-          {"Gouraud: bands", "mach-band-gouraud", gouraud},
-          {"Phong", "mach-band-phong", phong},
-          {"Phong, 256 facets: the cure", "mach-band-fine", phong, {{"facets", "256"}}}}},
-    };
-    return rows;
-}
-
 struct Curator {
     gpu::Device& device;
     Messages messages;
@@ -104,16 +33,16 @@ struct Curator {
 
 // Kinds of `make` are ours: that they exist with these parameters is tested, not hoped.
 Scene scene_of(const ExhibitRow& row, const ShotRow& shot) {
-    if (row.kind == nullptr) return load_or_throw(find_assets() / "scenes/default.toml");
-    auto made = make_scene(row.kind, shot.arguments);
+    if (row.source.scene) return load_or_throw(find_assets() / "scenes" / row.source.scene);
+    auto made = make_scene(row.source.kind, shot.arguments);
     if (auto* problems = std::get_if<Problems>(&made)) throw UserError(*problems);
     return std::get<Scene>(std::move(made));
 }
 
 std::string command_of(const ExhibitRow& row, const ShotRow& shot) {
     const std::string render = fmt::format("--shading {}", name_of(shot.shading));
-    if (row.kind == nullptr) return "render default.toml " + render;
-    std::string make = fmt::format("make {}", row.kind);
+    if (row.source.scene) return fmt::format("render {} {}", row.source.scene, render);
+    std::string make = fmt::format("make {}", row.source.kind);
     for (const auto& [name, value] : shot.arguments) make += fmt::format(" --param {}={}", name, value);
     return make + ", render " + render;
 }

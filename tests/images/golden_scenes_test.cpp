@@ -1,4 +1,4 @@
-// The demonstration scene against its golden pictures, in each shading.
+// The scenes of assets/ against their golden pictures: the demonstration in each shading, surface detail and transparency in Phong.
 #include "images/golden.h"
 #include "images/rendering.h"
 #include "scene/load.h"
@@ -9,8 +9,8 @@
 namespace lightbench::testing {
 namespace {
 
-void expect_default_scene(const std::string& name, Shading shading) {
-    const Loaded loaded = load_scene(fmt::format("{}/assets/scenes/default.toml", LIGHTBENCH_SOURCE));
+void expect_scene(const std::string& scene, const std::string& name, Shading shading) {
+    const Loaded loaded = load_scene(fmt::format("{}/assets/scenes/{}.toml", LIGHTBENCH_SOURCE, scene));
     ASSERT_TRUE(loaded.scene);
     Request request = radiance_request(shading, {320, 180});
     request.output = Output::pixels, request.spp = 4;
@@ -21,13 +21,28 @@ void expect_default_scene(const std::string& name, Shading shading) {
 }
 
 TEST(GoldenScenes, DefaultFlat) {
-    expect_default_scene("default-flat", Shading::flat);
+    expect_scene("default", "default-flat", Shading::flat);
 }
 TEST(GoldenScenes, DefaultGouraud) {
-    expect_default_scene("default-gouraud", Shading::gouraud);
+    expect_scene("default", "default-gouraud", Shading::gouraud);
 }
 TEST(GoldenScenes, DefaultPhong) {
-    expect_default_scene("default-phong", Shading::phong);
+    expect_scene("default", "default-phong", Shading::phong);
+}
+TEST(GoldenScenes, Glass) {
+    expect_scene("glass", "glass", Shading::phong);
+}
+TEST(GoldenScenes, Globe) {
+    expect_scene("globe", "globe", Shading::phong);
+}
+TEST(GoldenScenes, Grazing) {
+    expect_scene("grazing", "grazing", Shading::phong);
+}
+TEST(GoldenScenes, Orange) {
+    expect_scene("orange", "orange", Shading::phong);
+}
+TEST(GoldenScenes, Teapot) {
+    expect_scene("teapot", "teapot", Shading::phong);
 }
 
 } // namespace

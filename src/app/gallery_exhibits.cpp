@@ -1,0 +1,119 @@
+#include "app/gallery_exhibits.h"
+
+namespace lightbench {
+namespace {
+
+constexpr ExhibitSource made(const char* kind) {
+    return {kind, nullptr};
+}
+constexpr ExhibitSource stored(const char* scene) {
+    return {nullptr, scene};
+}
+
+} // namespace
+
+const std::vector<ExhibitRow>& exhibit_rows() {
+    using enum Shading;
+    static const std::vector<ExhibitRow> rows = {
+        {"Three places to evaluate one model",
+         "The same illumination model, evaluated once a polygon (flat), once a vertex (Gouraud) and once a pixel (Phong).",
+         stored("default.toml"),
+         2,
+         {{"flat", "default-flat", flat}, {"Gouraud", "default-gouraud", gouraud}, {"Phong", "default-phong", phong}}},
+        {"The lost highlight",
+         "A highlight in the middle of one large triangle. Gouraud knows the vertices only, where there is none; Phong, or a finer mesh, "
+         "finds it.",
+         made("highlight"),
+         2,
+         {{"flat", "highlight-flat", flat},
+          {"Gouraud: lost", "highlight-gouraud", gouraud},
+          {"Phong: the cure", "highlight-phong", phong},
+          {"Gouraud, each triangle in 256: the other cure", "highlight-fine", gouraud, {{"subdivide", "4"}}}}},
+        {"The corrugated sheet",
+         "On a regular zigzag the averages of neighbouring normals are all parallel: interpolated shading sees a plane. Strips within each "
+         "side keep "
+         "the side's own normal.",
+         made("corrugated"),
+         3,
+         {{"flat", "corrugated-flat", flat},
+          {"Gouraud: looks flat", "corrugated-gouraud", gouraud},
+          {"Phong: looks flat too", "corrugated-phong", phong},
+          {"Phong, 16 strips a side: the cure", "corrugated-fine", phong, {{"subdivide", "16"}}}}},
+        {"The crease",
+         "Left: normals averaged over every edge, which smears shading across corners. Right: edges sharper than 30 degrees stay edges.",
+         made("crease"),
+         3,
+         {{"flat", "crease-flat", flat},
+          {"Gouraud", "crease-gouraud", gouraud},
+          {"Phong", "crease-phong", phong},
+          {"Phong, edges kept on both sides: the cure", "crease-kept", phong, {{"left", "30"}}}}},
+        {"The quad",
+         "Four corner intensities do not say what lies between them. Split along its bright diagonal (left), along its dark one (middle), "
+         "interpolated along scan lines (right), as Gouraud did in 1971: that one changes when the quad is turned, the triangles do not.",
+         made("quads"),
+         -1,
+         {{"Gouraud", "quads-gouraud", gouraud}, {"Gouraud, turned by 30 degrees", "quads-turned", gouraud, {{"turn", "30"}}}}},
+        {"Mach bands",
+         "Intensity that is linear between vertices has kinks at them, and the eye draws a line at each. Phong bends instead of kinking; "
+         "more facets "
+         "make the kinks smaller.",
+         made("mach-band"),
+         3,
+         {{"flat", "mach-band-flat", flat},
+          {"Gouraud: bands", "mach-band-gouraud", gouraud},
+          {"Phong", "mach-band-phong", phong},
+          {"Phong, 256 facets: the cure", "mach-band-fine", phong, {{"facets", "256"}}}}},
+        {"Cook-Torrance beside Phong",
+         "Left halves: Phong. Right halves: Cook-Torrance, whose highlight has the same height and width where light and eye are in front: "
+         "on "
+         "the wall no seam is seen. Along the floor the light grazes, facets mirror far more of it, and Phong does not know. Gouraud asks "
+         "at "
+         "the corners only and lights the whole floor.",
+         stored("grazing.toml"),
+         1,
+         {{"Gouraud: from the corners", "grazing-gouraud", gouraud}, {"Phong", "grazing-phong", phong}}},
+        {"Metals and their paint",
+         "Copper, gold, silver, aluminium; in each pair the left ball is of metal (Cook-Torrance with the measured reflectances), the "
+         "right one "
+         "painted (Phong). A metal's highlight has the metal's color; rougher ones below.",
+         made("metals"),
+         1,
+         {{"Gouraud", "metals-gouraud", gouraud}, {"Phong", "metals-phong", phong}}},
+        {"Texture mapping",
+         "One picture around two globes and flat on the wall. The right globe has its back to us: the seam of the picture, where u wraps "
+         "from 1 "
+         "to 0, runs down its middle, and a pole is in view. Pictures are looked up in each pixel, whatever the shading.",
+         stored("globe.toml"),
+         2,
+         {{"flat", "globe-flat", flat}, {"Gouraud", "globe-gouraud", gouraud}, {"Phong", "globe-phong", phong}}},
+        {"Bump mapping",
+         "The normal is tilted, by noise on the orange, by waves on the melon; the geometry and its outline stay smooth. A bump lives "
+         "where "
+         "the model is evaluated: once a polygon or once a vertex is not often enough.",
+         stored("orange.toml"),
+         2,
+         {{"flat", "orange-flat", flat}, {"Gouraud", "orange-gouraud", gouraud}, {"Phong", "orange-phong", phong}}},
+        {"Environment mapping",
+         "Chrome mirrors a picture of its surroundings by the direction of reflection alone: not itself, and nothing near it.",
+         stored("teapot.toml"),
+         2,
+         {{"flat", "teapot-flat", flat}, {"Gouraud", "teapot-gouraud", gouraud}, {"Phong", "teapot-phong", phong}}},
+        {"Exact transparency",
+         "Three panes cut through one another: no order of the panes is right, so the layers are put into order in each pixel. Each lets "
+         "through what its color says.",
+         stored("glass.toml"),
+         -1,
+         {{"Phong", "glass-phong", phong}}},
+        {"A thousand layers",
+         "Petals of glass, listed out of order, that all overlap in the middle: as many layers as there are petals, all of them blended, "
+         "none "
+         "lost.",
+         made("panes"),
+         -1,
+         {{"72 panes of opacity 0.4", "panes-few", phong, {{"n", "72"}, {"opacity", "0.4"}}},
+          {"1000 panes of opacity 0.04", "panes-many", phong}}},
+    };
+    return rows;
+}
+
+} // namespace lightbench
