@@ -50,19 +50,16 @@ TEST_F(Cli, TheGalleryIsAPageWithItsPictures) {
 }
 
 TEST_F(Cli, TheGalleryNeedsItsScenes) {
-    const Ran ran = run({"gallery", "-o", in_folder("out")}, {{"LIGHTBENCH_ASSETS", in_folder("empty")}});
+    const Ran ran = run({"gallery", "-o", in_folder("out"), "--size", "48x27"}, {{"LIGHTBENCH_ASSETS", in_folder("empty")}});
     EXPECT_EQ(ran.code, 0) << "the next place is looked at: " << ran.err;
     EXPECT_EQ(run({"gallery", "-o", scene(kBall) + "/below"}).code, 2);
     EXPECT_EQ(run({"gallery", "-o", in_folder("out"), "--size", "big"}).code, 2);
 }
 
 TEST_F(Cli, EveryStoredSceneIsDrawnWithWhatItShows) {
-    const std::pair<const char*, const char*> scenes[] = {{"grazing", "cook-torrance: beckmann"},
-                                                          {"globe", "mapping: spherical"},
-                                                          {"orange", "bump: noise"},
-                                                          {"teapot", "environment: mirrored"},
-                                                          {"glass", "transparency"},
-                                                          {"one-directional", "directional light"}};
+    const std::pair<const char*, const char*> scenes[] = {
+        {"grazing", "cook-torrance: beckmann"}, {"globe", "mapping: spherical"}, {"orange", "bump: noise"},
+        {"teapot", "environment: mirrored"},    {"glass", "transparency"},       {"one-directional", "directional light"}};
     for (const auto& [name, effect] : scenes) {
         const std::string file = fmt::format("{}/assets/scenes/{}.toml", LIGHTBENCH_SOURCE, name);
         const Ran plan = run({"plan", file});
