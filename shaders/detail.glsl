@@ -60,17 +60,17 @@ void picture_gradients(Material m, vec3 p, Detail d, out vec3 du, out vec3 dv) {
 
 // Of the height that a bump adds, per frame unit: its gradient in space or along the surface.
 vec3 bump_gradient(Material m, vec3 n, vec3 p, Detail d, float lod) {
-    uint kind = (m.kinds >> 12u) & 15u;
+    uint kind = (m.kinds >> 12u) & 15u; // asked for even where one kind is all there is: a surface may have none
     vec3 gradient = vec3(0.0);
     if (wants(EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE)) {
         vec3 q = m.bump_scale * mapping_point(m, p), g = vec3(0.0);
         if (wants(EFFECT_BUMP_WAVES)) {
             vec3 w = waves(q).xyz;
-            if (of_kind(EFFECT_BUMP_WAVES, EFFECT_ANY_BUMP, kind, kBumpWaves)) g = w;
+            if (kind == kBumpWaves) g = w;
         }
         if (wants(EFFECT_BUMP_NOISE)) {
             vec3 w = gradient_noise(q).xyz;
-            if (of_kind(EFFECT_BUMP_NOISE, EFFECT_ANY_BUMP, kind, kBumpNoise)) g = w;
+            if (kind == kBumpNoise) g = w;
         }
         gradient = m.amplitude * to_frame(m, m.bump_scale * g);
     }
@@ -80,17 +80,19 @@ vec3 bump_gradient(Material m, vec3 n, vec3 p, Detail d, float lod) {
         vec2 at = picture_uv(m, p, d.uv) * m.repeats;
         if (wants(EFFECT_BUMP_HEIGHT)) {
             vec2 g = height_gradient(m.bump, at, lod) * m.repeats;
-            if (of_kind(EFFECT_BUMP_HEIGHT, EFFECT_ANY_BUMP, kind, kBumpHeight)) gradient = m.amplitude * (g.x * du + g.y * dv);
+            if (kind == kBumpHeight) gradient = m.amplitude * (g.x * du + g.y * dv);
         }
         if (wants(EFFECT_NORMAL_MAP)) {
             vec3 t, b;
             tangent_frame(n, du, dot(cross(n, du), dv) < 0.0 ? -1.0 : 1.0, t, b);
             vec3 g = normal_map_gradient(sample_trilinear(m.bump, at, lod).xyz, m.amplitude, t, b);
-            if (of_kind(EFFECT_NORMAL_MAP, EFFECT_ANY_BUMP, kind, kBumpNormalMap)) gradient = g;
+            if (kind == kBumpNormalMap) gradient = g;
         }
     }
     return gradient;
 }
+
+bool is_bumped(Material m) { return wants(EFFECT_ANY_BUMP) && ((m.kinds >> 12u) & 15u) != kBumpNone; }
 
 // n is the outward normal, whichever side is seen.
 vec3 bumped_normal(Material m, vec3 n, vec3 p, Detail d, float lod) {

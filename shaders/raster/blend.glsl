@@ -34,21 +34,21 @@ List list_of(uint i) {
 uint record_of(List list, uint place) { return record_of(list.block, place, list.at); }
 
 vec3 opacity_of(uint record) {
-    if ((kEffects & EFFECT_TEXTURE) != 0u) return uintBitsToFloat(fetch_layer_opacities(record).xyz);
+    if ((kEffects & EFFECT_TEXTURE_ALPHA) != 0u) return uintBitsToFloat(fetch_layer_opacities(record).xyz);
     uint surface = 0u;
     if ((kEffects & EFFECT_MANY_MATERIALS) != 0u) surface = fetch_layer_surfaces(record >> 2u)[record & 3u];
     return uintBitsToFloat(fetch_materials(kMaterialTexels * surface + kMaterialOpacity).xyz);
 }
 
-// (depth, tie, record). Coincident fragments are ordered by what they look like, never by who drew first (TR-4): by a mixture of the bits
-// of radiance and opacity (multipliers and finish of PCG: Jarzynski and Olano 2020, "Hash Functions for GPU Rendering"), in which two
-// looks agree once in 2^32 pairs.
-uvec3 key_of(uint record) {
-    uvec4 layer = fetch_layers(record);
-    uvec3 t = floatBitsToUint(opacity_of(record));
-    uint h = ((((layer.y * 747796405u + layer.z) * 747796405u + layer.w) * 747796405u + t.x) * 747796405u + t.y) * 747796405u + t.z;
-    h = ((h >> ((h >> 28u) + 4u)) ^ h) * 277803737u;
-    return uvec3(layer.x, (h >> 22u) ^ h, record);
+// A key: (bits of the depth, record). Reversed depth is positive: the nearer has the larger bits.
+uvec2 key_of(uint record) { return uvec2(fetch_layers(record).x, record); }
+
+bool less(uvec3 a, uvec3 b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
+
+// Coincident fragments are ordered by the bits of opacity and radiance, never by who drew first (TR-4).
+bool looks_before(uint a, uint b) {
+    uvec3 ta = floatBitsToUint(opacity_of(a)), tb = floatBitsToUint(opacity_of(b));
+    return ta != tb ? less(ta, tb) : less(fetch_layers(a).yzw, fetch_layers(b).yzw);
 }
 
 // S13: I = t If + (1 - t) Ib, unrolled from the front: what is in front lets `through` of the rest pass (TR-3). A factor of 0 is not

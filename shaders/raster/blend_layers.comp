@@ -8,12 +8,12 @@
 layout(constant_id = CONSTANT_LAYERS) const uint kMost = 4u; // layers: 2, 4, 8 or 16
 
 // Every index is a constant, written out: what is indexed in a loop lives in memory, and costs ten times as much (lavapipe).
-uvec3 keys[16];
+uvec2 keys[16];
 
 #define ORDER(A, B)                                   \
     {                                                 \
-        uvec3 x = keys[A], y = keys[B];               \
-        bool swap = before(y.xy, x.xy);               \
+        uvec2 x = keys[A], y = keys[B];               \
+        bool swap = y.x > x.x;                        \
         keys[A] = swap ? y : x, keys[B] = swap ? x : y; \
     }
 // Batcher 1968, "Sorting Networks and their Applications": odd-even merge sort.
@@ -30,13 +30,30 @@ uvec3 keys[16];
     ORDER(2, 4) ORDER(3, 5) ORDER(6, 8) ORDER(7, 9) ORDER(10, 12) ORDER(11, 13)                               \
     ORDER(1, 2) ORDER(3, 4) ORDER(5, 6) ORDER(7, 8) ORDER(9, 10) ORDER(11, 12) ORDER(13, 14)
 
-uvec3 read_key(uint k, List list) {
-    return k < list.n ? key_of(record_of(list, k)) : uvec3(0u, 0xffffffffu, 0u);
-}
+uvec2 read_key(uint k, List list) { return k < list.n ? key_of(record_of(list, k)) : uvec2(0u); }
 #define READ(K) keys[K] = read_key(K, list);
 #define READ4(F) READ(F) READ(F + 1) READ(F + 2) READ(F + 3)
-#define BLEND(K) if (K < list.n) blend_layer(b, keys[K].z);
+#define BLEND(K) if (K < list.n) blend_layer(b, keys[K].y);
 #define BLEND4(F) BLEND(F) BLEND(F + 1) BLEND(F + 2) BLEND(F + 3)
+
+#define EACH_PAIR(DO)                                        \
+    DO(0)                                                    \
+    if (kMost > 2u) { DO(1) DO(2) }                          \
+    if (kMost > 4u) { DO(3) DO(4) DO(5) DO(6) }              \
+    if (kMost > 8u) { DO(7) DO(8) DO(9) DO(10) DO(11) DO(12) DO(13) DO(14) }
+#define IS_TIED(K) tied = tied || (K + 1 < list.n && keys[K].x == keys[K + 1].x);
+#define EXCHANGE(K)                                                                                                  \
+    if (K + 1 < list.n && keys[K].x == keys[K + 1].x && looks_before(keys[K + 1].y, keys[K].y)) {                    \
+        uvec2 x = keys[K];                                                                                           \
+        keys[K] = keys[K + 1], keys[K + 1] = x;                                                                      \
+    }
+
+// Neighbours of one depth change places until they are in order; a loop that nobody enters costs nothing.
+void order_ties(List list) {
+    bool tied = false;
+    EACH_PAIR(IS_TIED)
+    for (uint pass = 0u; pass < (tied ? kMost : 0u); ++pass) { EACH_PAIR(EXCHANGE) }
+}
 
 void main() {
     uint i = invocation();
@@ -52,6 +69,7 @@ void main() {
     if (kMost == 4u) { SORT4(0) }
     if (kMost == 8u) { SORT8(0) }
     if (kMost == 16u) { SORT16 }
+    order_ties(list);
     BLEND(0) BLEND(1)
     if (kMost > 2u) { BLEND(2) BLEND(3) }
     if (kMost > 4u) { BLEND4(4) }

@@ -21,7 +21,7 @@ void main() {
     if (place < block.y) { // one that was not counted may stay out, and is found out when the pixel is blended
         uint record = record_of(block, place, at);
         layers[record] = uvec4(floatBitsToUint(gl_FragCoord.z), floatBitsToUint(f.radiance));
-        if (wants(EFFECT_TEXTURE)) opacities[record] = vec4(f.opacity, 0.0);
+        if (wants(EFFECT_TEXTURE_ALPHA)) opacities[record] = vec4(f.opacity, 0.0);
         else if (wants(EFFECT_MANY_MATERIALS)) surfaces[record] = material;
     }
 }

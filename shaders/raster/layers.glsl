@@ -3,7 +3,7 @@
 // drawing, where runs of single pixels, or of eight, would be scattered over memory.
 //
 // A record is one uvec4: the bits of the depth, the radiance. Storing is what costs (on lavapipe more than shading), so the opacity is left
-// in the material, and the surface's number is stored in a table beside; only where pictures have an alpha the opacity itself is.
+// in the material, and the surface's number is stored in a table beside; only where a picture's alpha counts (EFFECT_TEXTURE_ALPHA) the opacity itself is.
 #ifndef LIGHTBENCH_LAYERS_GLSL
 #define LIGHTBENCH_LAYERS_GLSL
 
@@ -13,8 +13,5 @@ uint block_at(uvec2 at, uint width) { return (at.y >> 3u) * ((width + 7u) >> 3u)
 
 // `block`: (where its records begin, the most layers of its pixels, its pixels: 64, or 1 in a tile of one, 0).
 uint record_of(uvec4 block, uint place, uvec2 at) { return block.x + place * block.z + ((at.y & 7u) << 3u | at.x & 7u); }
-
-// Whether key a (depth, tie, ...) lies before b. Reversed depth is positive: the nearer has the larger bits.
-bool before(uvec2 a, uvec2 b) { return a.x > b.x || (a.x == b.x && a.y < b.y); }
 
 #endif

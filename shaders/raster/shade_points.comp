@@ -29,7 +29,7 @@ vec3 mirrored(Surface s, Material m) {
 }
 
 void write_side(uint at, Surface s, Material m, vec3 smooth_normal) {
-    if (wants(EFFECT_ANY_BUMP)) s.normal = keep_facing(s.normal, smooth_normal, s.to_viewer);
+    if (is_bumped(m)) s.normal = keep_facing(s.normal, smooth_normal, s.to_viewer);
     if (kOutput == OUTPUT_NORMAL) {
         colors[at] = vec4(s.normal, 1.0);
     } else if (wants(EFFECT_ANY_TEXTURE)) {

@@ -70,7 +70,7 @@ vec4 texture_color(Material m, Footprint f) {
     uint kind = (m.kinds >> 4u) & 15u;
     if (wants(EFFECT_TEXTURE)) {
         vec4 sampled = sample_anisotropic(m.texture, f.at, f.dx, f.dy);
-        if (kind == kTexturePicture) color = sampled;
+        if (kind == kTexturePicture || kind == kTextureWithAlpha) color = vec4(sampled.rgb, kind == kTextureWithAlpha ? sampled.a : 1.0);
     }
     if (wants(EFFECT_CHECKER)) {
         float bright = checker(f.at, f.dx, f.dy);
@@ -94,7 +94,7 @@ vec3 shade_fragment(Material m, Footprint f, vec3 modulation) {
         float lod = 0.0;
         if (wants(EFFECT_BUMP_HEIGHT | EFFECT_NORMAL_MAP)) lod = lod_of(m.bump, f.dx, f.dy);
         n = bumped_normal(m, n, position, fragment_detail(), lod);
-        s.normal = keep_facing(back ? -n : n, smooth_normal, s.to_viewer);
+        if (is_bumped(m)) s.normal = keep_facing(back ? -n : n, smooth_normal, s.to_viewer);
     }
     if (kOutput == OUTPUT_NORMAL) return s.normal;
     m.diffuse *= modulation;

@@ -33,6 +33,7 @@
 #define EFFECT_SIX_FACES 0x8000000u             // the environment is six faces, not one equirectangular picture
 #define EFFECT_BACKGROUND_MAP 0x20000000u       // it stands behind the scene
 #define EFFECT_TRANSPARENCY 0x10000000u         // S13: some opacity is below 1
+#define EFFECT_TEXTURE_ALPHA 0x40000000u        // the alpha of some picture multiplies the opacity
 
 #define EFFECT_ANY_MAPPING (EFFECT_MAP_UV | EFFECT_MAP_SPHERICAL | EFFECT_MAP_CYLINDRICAL | EFFECT_MAP_PLANAR)
 #define EFFECT_ANY_TEXTURE (EFFECT_TEXTURE | EFFECT_CHECKER)

@@ -71,6 +71,7 @@ const uint kModelBeckmann = 2u;
 const uint kTextureNone = 0u;
 const uint kTexturePicture = 1u;
 const uint kTextureChecker = 2u;
+const uint kTextureWithAlpha = 3u; // a picture whose alpha multiplies the opacity
 
 // A material on a surface: those with a mapping in object space are one an object.
 struct Material {
@@ -129,9 +130,10 @@ struct LayersPush {
     uvec2 counted_origin; // pixels, of the area that was counted
     uint counted_width;   // pixels
     uint run;          // keys of a sorted run
-    uint deep_count;   // pixels with many layers
+    uint first_deep;   // of the list of pixels with many layers
+    uint deep_count;
     uint pairs;        // of runs, of the pixel that has most
-    uint pad0, pad1;
+    uint pad0;
 };
 
 struct DisplayPush {

@@ -2,6 +2,7 @@
 #include "app/commands.h"
 
 #include "plan/complete.h"
+#include "render/materials.h"
 #include "scene/check.h"
 
 #include <CLI/CLI.hpp>
@@ -16,10 +17,23 @@ struct CheckArguments {
     bool allow_outside = false;
 };
 
+// Pictures are decoded when a plan reads them; here all are.
+void add_picture_problems(const Scene& scene, Problems& problems) {
+    for (const Picture& picture : scene.pictures) try {
+            decode_picture(picture);
+        } catch (const FileError& error) {
+            const std::string file = picture.file.string(), what = error.what();
+            problems.push_back({file, 0, 0, what.starts_with(file + ": ") ? what.substr(file.size() + 2) : what});
+        }
+}
+
 // Problems of the file, and of what would keep it from being rendered as it is (a camera without direction).
 std::vector<std::string> lines_of(const std::string& file, const LoadOptions& options) {
     Loaded loaded = load_scene(file, options);
-    if (loaded.scene) loaded.problems = complete(*loaded.scene, {}).problems;
+    if (loaded.scene) {
+        loaded.problems = complete(*loaded.scene, {}).problems;
+        add_picture_problems(*loaded.scene, loaded.problems);
+    }
     return problem_lines(loaded, file);
 }
 

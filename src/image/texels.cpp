@@ -49,8 +49,7 @@ void append_level(std::vector<std::array<std::uint32_t, 4>>& words, const ImageF
         }
 }
 
-gpu_layout::TexelInfo append(TexelTable& table, const ImageF& image, std::uint32_t wrap_u, std::uint32_t wrap_v) {
-    const int power = storage_power(image);
+gpu_layout::TexelInfo append(TexelTable& table, const ImageF& image, int power, std::uint32_t wrap_u, std::uint32_t wrap_v) {
     const float scale = std::ldexp(1.0f, -power);
     const std::vector<ImageF> levels = mip_chain(image);
     const std::size_t first = table.words.size();
@@ -106,11 +105,25 @@ ImageF height_slopes(const ImageF& heights, std::uint32_t wrap_u, std::uint32_t 
 }
 
 gpu_layout::TexelInfo TexelTable::add(const AnyImage& decoded, bool color, std::uint32_t wrap_u, std::uint32_t wrap_v) {
-    return append(*this, linear_picture(decoded, color), wrap_u, wrap_v);
+    const ImageF image = linear_picture(decoded, color);
+    return append(*this, image, storage_power(image), wrap_u, wrap_v);
+}
+
+gpu_layout::TexelInfo TexelTable::add_faces(std::span<const AnyImage> faces) {
+    std::vector<ImageF> images;
+    for (const AnyImage& face : faces) images.push_back(linear_picture(face, true));
+    int power = storage_power(images.front());
+    for (const ImageF& image : images) power = std::max(power, storage_power(image));
+    const auto start = static_cast<std::uint32_t>(words.size());
+    gpu_layout::TexelInfo first = append(*this, images.front(), power, gpu_layout::kWrapClamp, gpu_layout::kWrapClamp);
+    first.height = static_cast<std::uint32_t>(words.size()) - start;
+    for (std::size_t i = 1; i < images.size(); ++i) append(*this, images[i], power, gpu_layout::kWrapClamp, gpu_layout::kWrapClamp);
+    return first;
 }
 
 gpu_layout::TexelInfo TexelTable::add_heights(const AnyImage& decoded, std::uint32_t wrap_u, std::uint32_t wrap_v) {
-    return append(*this, height_slopes(linear_picture(decoded, false), wrap_u, wrap_v), wrap_u, wrap_v);
+    const ImageF slopes = height_slopes(linear_picture(decoded, false), wrap_u, wrap_v);
+    return append(*this, slopes, storage_power(slopes), wrap_u, wrap_v);
 }
 
 } // namespace lightbench

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace lightbench {
@@ -21,6 +22,10 @@ struct TexelTable {
     // A picture whose 8-bit values are sRGB encoded (`color`) or plain numbers in [0, 1] (normal maps); floats are taken as they are, NaN and
     // infinities included, so that they are seen in what is rendered. Wraps are kWrap... of layouts.h.
     gpu_layout::TexelInfo add(const AnyImage& decoded, bool color, std::uint32_t wrap_u, std::uint32_t wrap_v);
+
+    // The six faces of an environment, squares of one size, one after the other with one bias. Out: the first; height is the number of
+    // uvec4s from one face to the next.
+    gpu_layout::TexelInfo add_faces(std::span<const AnyImage> faces);
 
     // A height picture: its red channel's slopes d/du and d/dv as the red and green channel. They are the central differences on the texel
     // grid, taken here, in float: differences of halves would lose them (2^-11 of the height over two texels).

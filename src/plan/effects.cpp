@@ -123,7 +123,8 @@ Verdict of_materials(std::size_t n, std::string_view none) {
 // kd is what a texture modulates.
 Verdict of_texture(const Facts& f, const Request& r, std::size_t n, std::string_view none) {
     if (n == 0) return no("{}", none);
-    if (!ambient(f, r).wanted && !diffuse(f, r).wanted) return no("{}, but nothing shows its kd", counted(n, "material"));
+    const bool alpha = n == f.picture_materials && f.alpha_materials > 0;
+    if (!ambient(f, r).wanted && !diffuse(f, r).wanted && !alpha) return no("{}, but nothing shows its kd", counted(n, "material"));
     return yes("{}", counted(n, "material"));
 }
 
@@ -132,6 +133,10 @@ Verdict texture(const Facts& f, const Request& r) {
 }
 Verdict checker(const Facts& f, const Request& r) {
     return of_texture(f, r, f.checker_materials, "no material has one");
+}
+
+Verdict texture_alpha(const Facts& f, const Request&) {
+    return of_materials(f.alpha_materials, "no picture's alpha is opacity");
 }
 
 Verdict of_bump(const Facts& f, const Request& r, std::size_t n) {
@@ -184,7 +189,8 @@ Verdict many_materials(const Facts& f, const Request& r) {
     const bool read = ambient(f, r).wanted || diffuse(f, r).wanted || specular(f, r).wanted || emission(f, r).wanted ||
                       gaussian(f, r).wanted || beckmann(f, r).wanted || mirror_environment(f, r).wanted || f.translucent_materials > 0;
     if (!read) return no("no property of a material changes the image");
-    const bool detailed = f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials > 0;
+    const bool detailed =
+        f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials + f.normal_map_materials > 0;
     const std::size_t most = f.geometry ? f.geometry->surfaces : detailed ? f.objects : f.materials;
     if (f.materials == 1 && most <= 1) return no("every surface has the same material");
     if (f.materials == 1) return yes("one material, laid on {} in their own ways", counted(most, "object"));
@@ -243,6 +249,7 @@ const std::vector<Effect>& table() {
         {"cook-torrance: gaussian", EFFECT_GAUSSIAN, gaussian, lit, ""},
         {"cook-torrance: beckmann", EFFECT_BECKMANN, beckmann, lit, ""},
         {"texture", EFFECT_TEXTURE, texture, pictures, ""},
+        {"texture: alpha", EFFECT_TEXTURE_ALPHA, texture_alpha, pictures, ""},
         {"checker", EFFECT_CHECKER, checker, surface, ""},
         {"mapping: uv", EFFECT_MAP_UV, map_uv, {"detail"}, ""},
         {"mapping: spherical", EFFECT_MAP_SPHERICAL, map_spherical, surface, ""},

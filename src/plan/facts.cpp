@@ -40,8 +40,9 @@ void count_model(const Material& material, Facts& facts) {
 }
 
 void count_detail(const Material& material, Facts& facts) {
+    facts.alpha_materials += material.texture && material.texture->alpha;
     if (material.texture) ++(material.texture->picture ? facts.picture_materials : facts.checker_materials);
-    if (!material.bump) return;
+    if (!material.bump || material.bump->amplitude == 0) return;
     facts.wave_materials += material.bump->function == BumpFunction::waves;
     facts.noise_materials += material.bump->function == BumpFunction::noise;
     if (material.bump->picture) ++(material.bump->normal_map ? facts.normal_map_materials : facts.height_materials);

@@ -70,7 +70,10 @@ void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_re
     Names reads = drawn_from(plan, lit_reads);
     reads.insert(reads.end(), {"depth", "layer-blocks", "layer-counts"});
     passes.push_back({"list-layers", "their color, opacity and depth", std::move(reads), {"layers", "layer-cursors"}});
-    passes.push_back({"blend-layers", "in order of depth, over what is opaque", {"layers", "layer-blocks", "layer-counts", "layer-cursors", "radiance"}, {"radiance"}});
+    passes.push_back({"blend-layers",
+                      "in order of depth, over what is opaque",
+                      {"layers", "layer-blocks", "layer-counts", "layer-cursors", "radiance"},
+                      {"radiance"}});
 }
 
 } // namespace

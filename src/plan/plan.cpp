@@ -3,6 +3,7 @@
 
 #include "plan/effects.h"
 #include "plan/passes.h"
+#include "scene/distribution.h"
 #include "shared/effects.h"
 #include "shared/layouts.h"
 
@@ -68,6 +69,12 @@ void note_geometry(const Facts& facts, Plan& plan) {
     plan.triangles = facts.geometry->triangles;
     if (facts.geometry->dropped_degenerate == 0) return;
     plan.fallbacks.push_back({"polygons", fmt::format("{} without area: left out", facts.geometry->dropped_degenerate)});
+}
+
+void note_roughness(const Facts& facts, Plan& plan) {
+    if (facts.smooth_lobes == 0) return;
+    plan.fallbacks.push_back({"roughness", fmt::format("{} material{} below {:g}: drawn with that", facts.smooth_lobes,
+                                                       facts.smooth_lobes == 1 ? "" : "s", kLeastRoughness)});
 }
 
 std::vector<std::string> wanted_images(const Plan& plan) {
@@ -157,6 +164,7 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
     plan.lights = facts.lights;
     plan.fallbacks = std::move(notes);
     note_geometry(facts, plan);
+    note_roughness(facts, plan);
     if (request.output == Output::radiance && request.exposure != 0)
         plan.fallbacks.push_back({"exposure", "not applied: a file of linear radiance has none"});
     const std::vector<std::string> reads = decide_effects(facts, request, plan);

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint64_t kRecordBytes = 16, kKeyBytes = 16;
 constexpr std::uint32_t kMostInRegisters = 16; // layers that blend_layers.comp can sort
-// The last level of the sort loops once a layer, and lavapipe ends loops after 65 535 iterations of a SIMD group.
-constexpr std::uint32_t kMostLayers = 60000;
+// The last level of the sort loops once a layer and once more at a tie; lavapipe ends loops after 65 535 iterations of a SIMD group.
+constexpr std::uint32_t kMostLayers = 30000;
 constexpr auto kStorage = vk::BufferUsageFlagBits::eStorageBuffer;
 
 // Buffers for tables are made anew when they are too small; half as large again, so that a moving view does not do so every frame.
@@ -31,7 +31,7 @@ void grow(gpu::Device& device, gpu::Buffer& buffer, const char* name, std::uint6
 
 // Where the opacity of a record is found depends on these.
 std::uint32_t effects_of(const LayerWork& w) {
-    return w.variant.effects & (EFFECT_TEXTURE | EFFECT_MANY_MATERIALS);
+    return w.variant.effects & (EFFECT_TEXTURE_ALPHA | EFFECT_MANY_MATERIALS);
 }
 
 // `number`: see the shader.
@@ -72,17 +72,39 @@ std::vector<std::uint32_t> count_layers(Layers& layers, const LayerWork& w) {
     return counts;
 }
 
+// Pixels whose numbers of layers agree to a factor of 2: `deep` from first to first + count, none with more than `most`.
+struct DeepBin {
+    std::uint32_t first = 0, count = 0, most = 0;
+};
+
 // Where the records of each block begin, and the most layers of its pixels; the pixels with more layers than registers hold.
 struct TileLists {
     std::vector<glm::uvec4> blocks;
     std::vector<std::uint32_t> deep;
+    std::vector<DeepBin> bins;
 };
+
+// A level of the sort gives every pixel of a bin as many invocations as its deepest needs.
+void add_deep_pixels(TileLists& lists, const LayerTile& tile, std::span<const std::uint32_t> counts, std::uint32_t width) {
+    std::map<int, std::vector<std::uint32_t>> pixels; // by the power of two of their layers
+    std::map<int, std::uint32_t> most;
+    for (std::uint32_t y = 0; y < tile.height; ++y)
+        for (std::uint32_t x = 0; x < tile.width; ++x) {
+            const std::uint32_t n = counts[std::size_t{tile.y + y} * width + tile.x + x];
+            if (n <= kMostInRegisters) continue;
+            const int power = std::bit_width(n);
+            pixels[power].push_back(y * tile.width + x);
+            most[power] = std::max(most[power], n);
+        }
+    for (const auto& [power, numbers] : pixels) {
+        lists.bins.push_back({static_cast<std::uint32_t>(lists.deep.size()), static_cast<std::uint32_t>(numbers.size()), most[power]});
+        lists.deep.insert(lists.deep.end(), numbers.begin(), numbers.end());
+    }
+}
 
 TileLists lists_of(const LayerTile& tile, std::span<const std::uint32_t> counts, std::uint32_t width) {
     TileLists lists;
-    for (std::uint32_t y = 0; y < tile.height; ++y)
-        for (std::uint32_t x = 0; x < tile.width; ++x)
-            if (counts[std::size_t{tile.y + y} * width + tile.x + x] > kMostInRegisters) lists.deep.push_back(y * tile.width + x);
+    add_deep_pixels(lists, tile, counts, width);
     std::uint32_t records = 0;
     for (std::uint32_t y = 0; y < tile.height; y += kBlock)
         for (std::uint32_t x = 0; x < tile.width; x += kBlock) {
@@ -98,7 +120,7 @@ void upload_lists(Layers& layers, const LayerWork& w, const LayerTile& tile, Til
     grow(w.device, layers.blocks, "layer-blocks", lists.blocks.size() * sizeof(glm::uvec4), largest);
     gpu::upload(w.device, layers.blocks, std::as_bytes(std::span(lists.blocks)));
     grow(w.device, layers.records, "layers", tile.records * kRecordBytes, largest);
-    if (effects_of(w) & EFFECT_TEXTURE)
+    if (effects_of(w) & EFFECT_TEXTURE_ALPHA)
         grow(w.device, layers.opacities, "layer-opacities", tile.records * kRecordBytes, largest);
     else if (effects_of(w) & EFFECT_MANY_MATERIALS)
         grow(w.device, layers.surfaces, "layer-surfaces", (tile.records * 4 + 15) / 16 * 16, largest);
@@ -133,15 +155,16 @@ void blend_few(Layers& layers, const LayerWork& w, const LayerTile& tile, const 
 }
 
 // A merge sort, one dispatch a level: the work of an invocation is bounded by the run that it writes.
-void blend_many(Layers& layers, const LayerWork& w, const LayerTile& tile, gpu_layout::LayersPush push) {
+void blend_many(Layers& layers, const LayerWork& w, const DeepBin& bin, gpu_layout::LayersPush push) {
     gpu::Bindings bindings = bindings_of(layers, w);
     offer_table(bindings, "deep_pixels", layers.deep_pixels);
+    push.first_deep = bin.first, push.deep_count = bin.count;
     unsigned from = 1;
-    for (push.run = 1; push.run < tile.most; push.run *= 2) {
+    for (push.run = 1; push.run < bin.most; push.run *= 2) {
         gpu::Bindings level = bindings;
         offer_table(level, "keys_in", layers.keys[from]);
         level.emplace_back("KeysOut", layers.keys[1 - from]);
-        push.pairs = (tile.most + 2 * push.run - 1) / (2 * push.run);
+        push.pairs = (bin.most + 2 * push.run - 1) / (2 * push.run);
         const auto& pipeline = pipeline_of(layers, w, "raster/merge_layers.comp", push.run == 1 ? 1 : 0);
         w.recorder.compute("sort-layers", pipeline, level, push, groups_of(push.pairs * push.deep_count));
         from = 1 - from;
@@ -154,7 +177,6 @@ void blend_many(Layers& layers, const LayerWork& w, const LayerTile& tile, gpu_l
 std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& tile, std::span<const std::uint32_t> counts,
                         std::uint64_t largest) {
     TileLists lists = lists_of(tile, counts, w.plan.crop.size.x);
-    const auto deep = static_cast<std::uint32_t>(lists.deep.size());
     submit(w); // what reads the buffers that are filled now
     upload_lists(layers, w, tile, lists, largest);
     w.recorder.fill(layers.cursors, 0);
@@ -166,9 +188,9 @@ std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& til
     if (layers.opacities) draw.bindings.emplace_back("Opacities", layers.opacities);
     offer_table(draw.bindings, "blocks", layers.blocks);
     const std::size_t triangles = record_translucent(w.recorder, w.plan, w.scene, w.geometry, w.variant, w.targets, w.draw, draw);
-    const gpu_layout::LayersPush push{origin, {tile.width, tile.height}, w.plan.crop.offset, w.plan.crop.size.x, 0, deep, 0, 0, 0};
+    const gpu_layout::LayersPush push{origin, {tile.width, tile.height}, w.plan.crop.offset, w.plan.crop.size.x, 0, 0, 0, 0, 0};
     blend_few(layers, w, tile, push);
-    if (deep > 0) blend_many(layers, w, tile, push);
+    for (const DeepBin& bin : lists.bins) blend_many(layers, w, bin, push);
     return triangles;
 }
 

@@ -14,9 +14,15 @@
 namespace lightbench {
 namespace {
 
-AnyImage decoded(const Picture& picture) {
-    if (picture.encoded.empty()) return read_image(picture.file.string());
-    return decode_image(picture.encoded, picture.file.string());
+// A number that is not finite would spread from level to level, and over all that is filtered.
+void check_finite(const AnyImage& image, const std::string& name) {
+    const auto* floats = std::get_if<ImageF>(&image);
+    if (floats == nullptr) return;
+    const auto found = std::ranges::find_if(floats->rgba, [](float x) { return !std::isfinite(x); });
+    if (found == floats->rgba.end()) return;
+    const auto pixel = static_cast<std::size_t>(found - floats->rgba.begin()) / 4;
+    throw FileError(FileError::Blame::Input, fmt::format("{}: pixel {}, {} is not finite; a picture of a scene must be", name,
+                                                         pixel % floats->width, pixel / floats->width));
 }
 
 std::uint32_t model_kind(const Material& m) {
@@ -26,7 +32,8 @@ std::uint32_t model_kind(const Material& m) {
 
 std::uint32_t texture_kind(const Material& m) {
     if (!m.texture) return gpu_layout::kTextureNone;
-    return m.texture->picture ? gpu_layout::kTexturePicture : gpu_layout::kTextureChecker;
+    if (!m.texture->picture) return gpu_layout::kTextureChecker;
+    return m.texture->alpha ? gpu_layout::kTextureWithAlpha : gpu_layout::kTexturePicture;
 }
 
 std::uint32_t bump_kind(const Material& m) {
@@ -43,6 +50,7 @@ class Converter {
     Converter(const Scene& scene, const Frame& frame, const Plan& plan) : scene_(scene), frame_(frame), plan_(plan) {}
     gpu_layout::Material convert(const Surface& surface);
     gpu_layout::TexelInfo picture(std::uint32_t index, Content content, Wrap u, Wrap v);
+    gpu_layout::TexelInfo faces(std::span<const AnyImage> images) { return texels_.add_faces(images); }
     TexelTable take() { return std::move(texels_); }
 
   private:
@@ -61,7 +69,7 @@ class Converter {
 gpu_layout::TexelInfo Converter::picture(std::uint32_t index, Content content, Wrap u, Wrap v) {
     const auto [it, made] = known_.try_emplace({index, content, u, v});
     if (!made) return it->second;
-    const AnyImage image = decoded(scene_.pictures[index]);
+    const AnyImage image = decode_picture(scene_.pictures[index]);
     const auto wrap_u = static_cast<std::uint32_t>(u), wrap_v = static_cast<std::uint32_t>(v);
     it->second = content == Content::heights ? texels_.add_heights(image, wrap_u, wrap_v)
                                              : texels_.add(image, content == Content::color, wrap_u, wrap_v);
@@ -118,17 +126,18 @@ gpu_layout::Material Converter::convert(const Surface& surface) {
 
 // A face is read by its number: all six are square and of one size.
 gpu_layout::TexelInfo six_faces(const Scene& scene, Converter& converter) {
-    std::vector<gpu_layout::TexelInfo> faces;
+    std::vector<AnyImage> faces;
+    glm::uvec2 size(0);
     for (const std::uint32_t picture : scene.environment.map) {
-        faces.push_back(converter.picture(picture, Content::color, Wrap::clamp, Wrap::clamp));
-        const auto& [first, width, height, flags] = faces.back();
-        if (width != height || width != faces.front().width || flags != faces.front().flags)
+        faces.push_back(decode_picture(scene.pictures[picture]));
+        const glm::uvec2 own = std::visit([](const auto& image) { return glm::uvec2(image.width, image.height); }, faces.back());
+        if (faces.size() == 1) size = own;
+        if (own.x != own.y || own != size)
             throw FileError(FileError::Blame::Input,
-                            fmt::format("{}: is {} x {}, the first face {} x {}; six faces must be squares of one size and kind",
-                                        scene.pictures[picture].file.string(), width, height, faces.front().width, faces.front().height));
+                            fmt::format("{}: is {} x {}, the first face {} x {}; six faces must be squares of one size",
+                                        scene.pictures[picture].file.string(), own.x, own.y, size.x, size.y));
     }
-    const std::uint32_t stride = faces[1].first - faces[0].first;
-    return {faces[0].first, faces[0].width, stride, faces[0].flags};
+    return converter.faces(faces);
 }
 
 gpu_layout::TexelInfo environment_of(const Scene& scene, const Plan& plan, Converter& converter) {
@@ -138,6 +147,13 @@ gpu_layout::TexelInfo environment_of(const Scene& scene, const Plan& plan, Conve
 }
 
 } // namespace
+
+AnyImage decode_picture(const Picture& picture) {
+    const std::string name = picture.file.string();
+    AnyImage image = picture.encoded.empty() ? read_image(name) : decode_image(picture.encoded, name);
+    check_finite(image, name);
+    return image;
+}
 
 MaterialTables material_tables(const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
     MaterialTables tables;

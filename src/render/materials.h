@@ -8,6 +8,9 @@
 
 namespace lightbench {
 
+// FileError if it cannot be read, or holds what is not finite.
+AnyImage decode_picture(const Picture& picture);
+
 struct MaterialTables {
     std::vector<gpu_layout::Material> materials; // by surface; a single one where the plan says that all are alike
     TexelTable texels;                           // pictures of textures, bumps, the environment: only those that the plan draws

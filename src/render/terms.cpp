@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kLights = EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT | EFFECT_ATTENUATION_NONE |
                                   EFFECT_ATTENUATION_LINEAR | EFFECT_ATTENUATION_INVERSE_SQUARE | EFFECT_COMPENSATED_SUM;
 constexpr std::uint32_t kSurface = EFFECT_TWO_SIDED | EFFECT_MANY_MATERIALS | EFFECT_VANISHING_NORMALS | EFFECT_ANY_BUMP |
-                                   EFFECT_ANY_TEXTURE | EFFECT_ANY_MAPPING | EFFECT_TRANSPARENCY;
+                                   EFFECT_ANY_TEXTURE | EFFECT_TEXTURE_ALPHA | EFFECT_ANY_MAPPING | EFFECT_TRANSPARENCY;
 
 // The light terms (the first six) add up to the image; the others tell how it came about.
 constexpr Term kTerms[] = {

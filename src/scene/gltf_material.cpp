@@ -159,6 +159,7 @@ GltfMaterial read_material(Context& in, const GltfValue& value) {
     m.two_sided = value.flag("doubleSided", false);
     GltfMaterial result;
     set_texture(in, surface.texture, m, result);
+    if (m.texture && value.text("alphaMode") == "BLEND") m.texture->alpha = true; // section 3.9.4: alpha is that of factor times texture
     set_normal_map(in, value.object("normalTexture"), m);
     remark_unused(in.job, value);
     result.material = add_material(in.job.scene, m);

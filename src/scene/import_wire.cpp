@@ -126,8 +126,8 @@ template <class A> void transfer(A& a, Light& value) {
     transfer(a, attenuation), transfer(a, d0), transfer(a, angle), transfer(a, softness);
 }
 template <class A> void transfer(A& a, Texture& value) {
-    auto& [picture, mapping, scale, wrap_u, wrap_v] = value;
-    transfer(a, picture), transfer(a, mapping), transfer(a, scale), transfer(a, wrap_u), transfer(a, wrap_v);
+    auto& [picture, mapping, scale, wrap_u, wrap_v, alpha] = value;
+    transfer(a, picture), transfer(a, mapping), transfer(a, scale), transfer(a, wrap_u), transfer(a, wrap_v), transfer(a, alpha);
 }
 template <class A> void transfer(A& a, Bump& value) {
     auto& [picture, normal_map, function, amplitude, frequency] = value;

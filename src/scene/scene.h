@@ -49,6 +49,7 @@ struct Texture {
     Mapping mapping = Mapping::uv;
     glm::dvec2 scale{1}; // repeats
     Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    bool alpha = false; // the picture's alpha multiplies the opacity
     bool operator==(const Texture&) const = default;
 };
 

@@ -97,7 +97,7 @@ glm::vec3 straight_opacity(const Material& material) {
 }
 
 bool is_translucent(const Material& material) {
-    return glm::any(glm::lessThan(straight_opacity(material), glm::vec3(1)));
+    return glm::any(glm::lessThan(straight_opacity(material), glm::vec3(1))) || (material.texture && material.texture->alpha);
 }
 
 bool has_uv(const Scene& scene, const Object& object) {

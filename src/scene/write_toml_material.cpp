@@ -17,6 +17,7 @@ std::string texture_text(TomlWriter& w, const Texture& t, std::string_view where
     if (t.mapping != Mapping::uv) out += fmt::format(", mapping = \"{}\"", kMappings[static_cast<std::size_t>(t.mapping)]);
     if (t.wrap_u != Wrap::repeat || t.wrap_v != Wrap::repeat)
         refuse(w.log, "a texture that clamps or mirrors", "textures of this format repeat", where);
+    if (t.alpha) refuse(w.log, "a texture whose alpha is opacity", "opacity of this format is the material's", where);
     if (t.scale != glm::dvec2(1)) out += ", scale = " + pair_of(t.scale);
     return out + "}";
 }

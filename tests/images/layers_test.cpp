@@ -107,6 +107,27 @@ TEST(Layers, TheOrderOfObjectsDoesNotMatter) {
     }
 }
 
+// A few pixels with many more layers than the others, each sorted by itself.
+TEST(Layers, PixelsOfVeryDifferentDepth) {
+    Scene scene = tangle(17);
+    const std::vector<float> shallow = draw(scene, {64, 48}).output.radiance->rgba;
+    Material clear;
+    clear.diffuse = vec3(0), clear.opacity = vec3(0.001f);
+    scene.materials.push_back(clear);
+    for (int i = 0; i < 3000; ++i) {
+        Object patch;
+        const double z = 2 + 1e-3 * i, side = 0.1;
+        patch.shape = Polygon{{{-side, -side, z}, {side, -side, z}, {side, side, z}, {-side, side, z}}, {}};
+        patch.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+        scene.objects.push_back(patch);
+    }
+    const std::vector<float> deep = draw(scene, {64, 48}).output.radiance->rgba;
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < deep.size(); i += 4) differing += deep[i] != shallow[i];
+    EXPECT_GT(differing, 0u);
+    EXPECT_LE(differing, 16u) << "the patch covers a few pixels in the middle";
+}
+
 // Intersecting panes against the formula, evaluated per pixel by the planes' equations.
 TEST(Layers, IntersectingPanesAreInOrderInEveryPixel) {
     Scene scene = panes_scene(vec3(0.1f));

@@ -35,7 +35,7 @@ TEST(PlanEffects, EveryRowHasItsOwnBitAndEveryEffectALine) {
         bits |= effect.bit;
         EXPECT_EQ(effect.bit == 0, !effect.instead.empty()) << effect.name << ": what is not drawn must say what is drawn instead";
     }
-    EXPECT_EQ(bits, (EFFECT_BACKGROUND_MAP << 1) - 1) << "a bit of shared/effects.h has no row";
+    EXPECT_EQ(bits, (EFFECT_TEXTURE_ALPHA << 1) - 1) << "a bit of shared/effects.h has no row";
     const Plan plan = plan_of(lit_sphere());
     EXPECT_EQ(plan.wanted.size() + plan.skipped.size() + plan.fallbacks.size(), effects().size());
     EXPECT_EQ(plan.wanted.size(), static_cast<std::size_t>(std::popcount(plan.effects)));
