@@ -142,16 +142,10 @@ gpu::Bindings bindings_of(Layers& layers, const LayerWork& w) {
     return bindings;
 }
 
-// Groups of 64 invocations, as rows of at most 65 535.
-gpu::Groups groups_of(std::uint32_t invocations) {
-    const std::uint32_t groups = (invocations + 63) / 64, rows = (groups + 65534) / 65535;
-    return {rows > 1 ? 65535u : std::max(groups, 1u), std::max(rows, 1u)};
-}
-
 void blend_few(Layers& layers, const LayerWork& w, const LayerTile& tile, const gpu_layout::LayersPush& push) {
     const std::uint32_t most = std::clamp(std::bit_ceil(tile.most), 2u, kMostInRegisters);
     w.recorder.compute("blend-layers", pipeline_of(layers, w, "raster/blend_layers.comp", most), bindings_of(layers, w), push,
-                       groups_of(tile.width * tile.height));
+                       groups_for(tile.width * tile.height));
 }
 
 // A merge sort, one dispatch a level: the work of an invocation is bounded by the run that it writes.
@@ -166,12 +160,12 @@ void blend_many(Layers& layers, const LayerWork& w, const DeepBin& bin, gpu_layo
         level.emplace_back("KeysOut", layers.keys[1 - from]);
         push.pairs = (bin.most + 2 * push.run - 1) / (2 * push.run);
         const auto& pipeline = pipeline_of(layers, w, "raster/merge_layers.comp", push.run == 1 ? 1 : 0);
-        w.recorder.compute("sort-layers", pipeline, level, push, groups_of(push.pairs * push.deep_count));
+        w.recorder.compute("sort-layers", pipeline, level, push, groups_for(push.pairs * push.deep_count));
         from = 1 - from;
     }
     offer_table(bindings, "keys_in", layers.keys[from]);
     w.recorder.compute("blend-layers", pipeline_of(layers, w, "raster/blend_deep_layers.comp", 0), bindings, push,
-                       groups_of(push.deep_count));
+                       groups_for(push.deep_count));
 }
 
 std::size_t record_tile(Layers& layers, const LayerWork& w, const LayerTile& tile, std::span<const std::uint32_t> counts,

@@ -19,12 +19,6 @@ gpu_layout::ShadePush push_of(const RasterDraw& draw, const GpuScene& scene, con
     return push;
 }
 
-// Work groups of 64 for a number of points, as rows of at most 65 535: the least that every device takes along x.
-gpu::Groups groups_for(std::uint32_t points) {
-    const std::uint32_t groups = (points + 63) / 64, rows = (groups + 65534) / 65535;
-    return {rows > 1 ? 65535u : groups, std::max(rows, 1u)};
-}
-
 void record_shade(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterPipelines& pipelines,
                   gpu_layout::ShadePush push) {
     const bool flat = plan.shading == Shading::flat;
@@ -126,6 +120,11 @@ void record_background(gpu::Recorder& recorder, const Plan& plan, GpuScene& scen
 }
 
 } // namespace
+
+gpu::Groups groups_for(std::uint32_t invocations) {
+    const std::uint32_t groups = std::max((invocations + 63) / 64, 1u), rows = (groups + 65534) / 65535;
+    return {rows > 1 ? 65535u : groups, rows};
+}
 
 std::size_t record_raster(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterGeometry& geometry,
                           const RasterVariant& variant, const RasterPipelines& pipelines, RasterTargets& targets, const RasterDraw& draw) {

@@ -40,6 +40,9 @@ RasterTargets make_targets(gpu::Device& device, glm::uvec2 size, unsigned sample
 RasterPipelines make_raster_pipelines(gpu::Device& device, const Plan& plan, const GpuScene& scene, const RasterGeometry& geometry,
                                       const RasterVariant& variant);
 
+// Groups of 64 invocations, as rows of at most 65 535: the least that every device takes along x.
+gpu::Groups groups_for(std::uint32_t invocations);
+
 // One drawing of the scene.
 struct RasterDraw {
     const View& view;

@@ -50,6 +50,9 @@ INSTANTIATE_TEST_SUITE_P(
 struct Refusal {
     const char *name, *reason;
 };
+void PrintTo(const Refusal& refusal, std::ostream* out) { // else the tests would be named by addresses
+    *out << refusal.name << refusal.reason;
+}
 
 class ImportRefusal : public testing::TestWithParam<Refusal> {};
 
