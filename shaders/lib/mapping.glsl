@@ -10,7 +10,7 @@ const float kInvPi = 0.31830989;
 // ulp (Vulkan 1.3, "Precision and operation of SPIR-V instructions") and is undefined at (0, 0) (TX-3, TX-4).
 //   y, x     the larger magnitude in [1e-37, 1e38], or both 0
 //   returns a number in [0, 1); 0 at (0, 0)
-// Error: absolute 1.5 u (kernel test Turns), where 1 is as far from 0 as 0 is.
+// Error: absolute 1.5 u (kernel test Turns), where 1 is as far from 0 as 0 is; a leg below 2^-126 may count as 0.
 float turns(float y, float x) {
     float ax = abs(x), ay = abs(y), low = min(ax, ay), high = max(ax, ay);
     bool wide = low > 0.41421356 * high;
