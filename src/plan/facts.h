@@ -26,7 +26,7 @@ struct Facts {
     std::size_t materials_listed = 0;                                                  // that the scene has
     std::size_t diffuse_materials = 0, specular_materials = 0, emissive_materials = 0;
     std::size_t phong_materials = 0, gaussian_materials = 0, beckmann_materials = 0;                     // with ks > 0
-    std::size_t picture_materials = 0, checker_materials = 0, alpha_materials = 0;                                            // with such a texture
+    std::size_t picture_materials = 0, checker_materials = 0, alpha_materials = 0;                       // with such a texture
     std::size_t wave_materials = 0, noise_materials = 0, height_materials = 0, normal_map_materials = 0; // with such a bump
     std::size_t environment_materials = 0;                                                               // that mirror it
     std::array<std::size_t, 4> mappings{}; // objects whose texture or bump picture is mapped so, by Mapping

@@ -46,8 +46,7 @@ struct Closed {
 
 // A rasteriser moves each vertex to the nearest 2^-bits of a pixel, so what a pixel shows belongs to a point up to half of that away along
 // x and y, and with it by the most that `value` changes there (SwiftShader has 4 bits, lavapipe 8).
-template <class Value>
-double snapping(double x, double y, Value&& value) {
+template <class Value> double snapping(double x, double y, Value&& value) {
     const double half = std::ldexp(0.5, -static_cast<int>(test_device().info().subpixel_bits));
     double most = 0;
     for (const double dx : {-half, half})
@@ -202,7 +201,8 @@ TEST(Analytic, ASpotLightsItsConeOnly) {
             const dvec3 got = pixel(*r.output.radiance, x, y);
             const double radius = radius_at(x, y).x;
             if (std::abs(radius - edge) < 0.001 * edge + snapping(x, y, radius_at)) continue;
-            ASSERT_NEAR(got.x, radius < edge ? inside_at(x, y).x : 0, radius < edge ? 1e-5 + snapping(x, y, inside_at) : 0) << x << ' ' << y;
+            ASSERT_NEAR(got.x, radius < edge ? inside_at(x, y).x : 0, radius < edge ? 1e-5 + snapping(x, y, inside_at) : 0)
+                << x << ' ' << y;
         }
 }
 
