@@ -38,6 +38,7 @@ struct TessellationRequest {
     bool normals = true;       // false (flat shading, depth only): vertices need no normals and are shared across creases
     bool detail = false;       // true: meshes with uv get the stream of detail (uv and its gradients)
     bool polygons = true;      // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
+    bool analytic = false;     // true: meshes and polygons only; rays are tested against the other shapes themselves (accel/primitives.h)
 };
 
 // A run of triangles that are near each other: the unit of culling.
@@ -74,6 +75,7 @@ struct RasterGeometry {
                                         // if TessellationRequest::polygons is false
     std::vector<std::uint32_t> polygon_objects; // object number of each polygon
     std::vector<Surface> surfaces;              // what PointNormal::material counts
+    std::vector<std::uint32_t> object_surfaces; // with TessellationRequest::analytic: the surface of each object's own material
     // Opaque one-sided clusters first, then opaque two-sided, translucent one-sided, translucent two-sided; one-sided are culled from behind.
     std::vector<Cluster> clusters;
     std::size_t one_sided_clusters = 0, opaque_clusters = 0; // opaque ones are clusters[0 .. opaque_clusters)

@@ -1,0 +1,134 @@
+// What the ray tracer adds to the layouts that C++ and GLSL share: primitives, nodes of the structures, rays, the ray tree, push constants.
+// Scalar block layout; tables are read as RGBA32UI texels by fetch4(). Lengths are in frame units (scene/tessellate.h).
+#ifndef LIGHTBENCH_SHARED_RAYS_H
+#define LIGHTBENCH_SHARED_RAYS_H
+
+#include "shared/layouts.h"
+
+#ifdef __cplusplus
+namespace lightbench::gpu_layout {
+using glm::uvec4;
+#endif
+
+// Specialisation constants of the ray tracer, besides those of shared/effects.h.
+#define CONSTANT_RAY_EFFECTS 6                  // RAY_... bits
+#define CONSTANT_ACCEL 7                        // ACCEL_...
+#define CONSTANT_STACK 8                        // entries that a traversal of this structure needs at most
+
+#define RAY_TRIANGLES 0x1u                      // which primitives there are
+#define RAY_SPHERES 0x2u
+#define RAY_BOXES 0x4u                          // shapes: affine images of a box, a ball, a truncated cone, a torus
+#define RAY_BALLS 0x8u
+#define RAY_CONES 0x10u
+#define RAY_TORI 0x20u
+#define RAY_SHADOWS 0x40u                       // S15: some light is lit and something can stand before it
+#define RAY_CLEAR_SHADOWS 0x80u                 // shadow rays are attenuated by what they pass
+#define RAY_REFLECTED 0x100u                    // S14: some kr > 0
+#define RAY_REFRACTED 0x200u                    // S16: some kt > 0
+#define RAY_STRAIGHT 0x400u                     // S13: some opacity is below 1
+#define RAY_FRESNEL 0x800u                      // some material splits kr and kt by Fresnel
+#define RAY_SCATTER 0x1000u                     // S17
+#define RAY_DISPERSION 0x2000u                  // S18
+#define RAY_CUTOFF 0x4000u                      // S19: adaptive depth
+#define RAY_COUNT 0x8000u                       // counters
+#define RAY_MEDIA 0x10000u                      // media may be nested: rays carry what they are inside of
+#define RAY_SMOOTH 0x20000u                     // triangles have normals of their own at their corners (not flat)
+#define RAY_UV 0x40000u                         // triangles have texture coordinates
+#define RAY_PACKETS 0x80000u                    // eight rays share one walk through the structure
+#define RAY_LIST 0x100000u                      // eye rays go through listed points, not through the pixels of a tile
+#define RAY_JITTER 0x200000u                    // S25
+
+#define RAY_SHAPES (RAY_BOXES | RAY_BALLS | RAY_CONES | RAY_TORI)
+
+#define ACCEL_NONE 0u
+#define ACCEL_BVH 1u
+#define ACCEL_SPHERE_BVH 2u
+#define ACCEL_GRID 3u
+#define ACCEL_OCTREE 4u
+
+// A primitive is named by a reference: its type, and its index in the table of its type. References to several that follow each other in
+// their table, as leaves have them, also hold their number - 1.
+const uint kRefLeaf = 0x80000000u;     // of a node's child: primitives, not a node
+const uint kRefType = 29u;             // shift; 2 bits
+const uint kRefCount = 27u;            // shift; 2 bits: 1 to 4 primitives
+const uint kRefIndex = 0x07ffffffu;
+const uint kTypeTriangle = 0u;
+const uint kTypeSphere = 1u;
+const uint kTypeShape = 2u;
+const uint kNothing = 0xffffffffu;     // no primitive, no node
+
+const uint kTriangleTexels = 3u, kSphereTexels = 2u, kShapeTexels = 8u;
+
+// `number` counts all primitives of the scene in one fixed order, triangles, then spheres, then shapes, whatever the structure: of two hits
+// at the same distance the lower number counts.
+struct RayTriangle {
+    vec3 v0; uint number;
+    vec3 v1; uint surface;   // index into materials
+    vec3 v2; uint object;    // index into Scene::objects
+};
+
+struct RaySphere {
+    vec3 center; float radius;
+    uint number, surface, object, pad0;
+};
+
+const uint kShapeBox = 0u;             // [-1, 1]^3
+const uint kShapeBall = 1u;            // radius 1
+const uint kShapeCone = 2u;            // about z from -1 to 1; p0, p1 the radii at -1 and 1, p2 != 0: capped
+const uint kShapeTorus = 3u;           // about z, major radius 1; p0 the minor one
+// p_object = linear * (p_frame - center), rows of `linear`; p_frame = back * p_object + center.
+struct RayShape {
+    vec3 row_x; float center_x;
+    vec3 row_y; float center_y;
+    vec3 row_z; float center_z;
+    uint kind; float p0, p1, p2;
+    uint number, surface, object, pad0;
+    vec3 back_x; float pad1;
+    vec3 back_y; float pad2;
+    vec3 back_z; float pad3;
+};
+
+// Corners of triangle i (by number): indices into the streams of vertices.
+struct RayCorners {
+    uint a, b, c, polygon;
+};
+
+// BVH of boxes, two children a node; planes are whole numbers of 1/65535 of the scene's box, rounded outwards. For rays that go their own way.
+// A child: lo.x | hi.x << 16, lo.y | hi.y << 16, lo.z | hi.z << 16, reference (a node's index, or a leaf). Absent: reference kNothing.
+const uint kNarrowTexels = 2u;
+// The same tree with four children a node and exact planes, for rays that go together: texels lo.x, hi.x, lo.y, hi.y, lo.z, hi.z of the
+// four children, then their references. Absent children have lo > hi and the reference kNothing.
+const uint kWideTexels = 8u;           // the last is not used: nodes lie on 128 bytes
+
+// BVH of spheres, two children a node: center and radius of each, then (reference, reference, 0, 0).
+const uint kSphereNodeTexels = 3u;
+
+struct Ray {
+    vec3 origin; float after;          // hits at t > after count; at t == after those of a number > after_number
+    vec3 direction; uint after_number; // unit
+};
+
+struct RayHit {
+    float t;                           // frame units
+    uint ref;                          // type << kRefType | index; kNothing: the ray leaves the scene
+    float b1, b2;                      // of a triangle: weights of its second and third corner; of a shape: b1 holds the part, as bits
+};
+
+// A ray in the tree of its pixel: I = color + sum over its children of weight * I(child).
+struct RayNode {
+    vec3 color; uint children;         // index of the first << 3 | their number
+    vec3 weight; uint kind;            // of this ray in its parent's sum; kRay... | level << 8
+};
+const uint kRayNodeTexels = 2u;
+const uint kRayEye = 0u;
+const uint kRayReflected = 1u;
+const uint kRayRefracted = 2u;
+const uint kRayStraight = 3u;
+
+#ifdef __cplusplus
+static_assert(sizeof(RayTriangle) == 16 * kTriangleTexels && sizeof(RaySphere) == 16 * kSphereTexels &&
+              sizeof(RayShape) == 16 * kShapeTexels && sizeof(Ray) == 32 && sizeof(RayHit) == 16 && sizeof(RayNode) == 16 * kRayNodeTexels);
+} // namespace lightbench::gpu_layout
+#endif
+
+#endif
