@@ -1,1 +1,74 @@
+// Builds the structure that is asked for. In: primitives. Out: its tables, the primitives in its order.
 #include "accel/accel.h"
+
+#include "accel/tables.h"
+
+#include <chrono>
+
+namespace lightbench {
+namespace {
+
+// A table that an earlier structure has ordered goes back to the order of the numbers.
+template <typename Primitive> void restore(std::vector<Primitive>& table, std::size_t first) {
+    std::vector<Primitive> ordered(table.size());
+    for (const Primitive& primitive : table) ordered[primitive.number - first] = primitive;
+    table.swap(ordered);
+}
+
+std::vector<TreeItem> items_of(const RayPrimitives& primitives) {
+    const auto boxes = boxes_of(primitives);
+    std::vector<TreeItem> items;
+    items.reserve(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const bool triangle = i < primitives.triangles.size(), sphere = i < primitives.triangles.size() + primitives.spheres.size();
+        const auto type = triangle ? gpu_layout::kTypeTriangle : sphere ? gpu_layout::kTypeSphere : gpu_layout::kTypeShape;
+        items.push_back({boxes[i], static_cast<std::uint32_t>(i), type});
+    }
+    return items;
+}
+
+template <typename Primitive>
+void reorder(std::vector<Primitive>& table, std::size_t first, const std::vector<TreeItem>& items, std::uint32_t type) {
+    std::vector<Primitive> ordered;
+    ordered.reserve(table.size());
+    for (const TreeItem& item : items)
+        if (item.type == type) ordered.push_back(table[item.slot - first]);
+    table.swap(ordered);
+}
+
+void order_as(RayPrimitives& primitives, const std::vector<TreeItem>& items) {
+    const std::size_t spheres = primitives.triangles.size(), shapes = spheres + primitives.spheres.size();
+    reorder(primitives.triangles, 0, items, gpu_layout::kTypeTriangle);
+    reorder(primitives.spheres, spheres, items, gpu_layout::kTypeSphere);
+    reorder(primitives.shapes, shapes, items, gpu_layout::kTypeShape);
+}
+
+constexpr std::uint32_t kLeaf = 4; // primitives of a leaf at most, as a reference counts them
+
+void build_bvh(AccelTables& tables, RayPrimitives& primitives, const AccelRequest& request) {
+    const std::uint32_t leaf = std::clamp(request.leaf == 0 ? kLeaf : request.leaf, 1u, kLeaf);
+    const Tree tree = build_tree(items_of(primitives), leaf, request.threads);
+    add_wide(tables, tree);
+    add_narrow(tables, tree);
+    order_as(primitives, tree.items);
+    tables.node_count = tables.nodes.size() / gpu_layout::kWideTexels;
+    tables.reference_count = tree.items.size();
+    tables.depth = tree.depth;
+}
+
+} // namespace
+
+AccelTables build_accel(RayPrimitives& primitives, const AccelRequest& request) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::size_t spheres = primitives.triangles.size(), shapes = spheres + primitives.spheres.size();
+    restore(primitives.triangles, 0);
+    restore(primitives.spheres, spheres);
+    restore(primitives.shapes, shapes);
+    AccelTables tables;
+    tables.accel = request.accel;
+    if (request.accel == Accel::bvh) build_bvh(tables, primitives, request);
+    tables.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return tables;
+}
+
+} // namespace lightbench

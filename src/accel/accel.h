@@ -20,6 +20,7 @@ struct AccelRequest {
     std::array<std::uint32_t, 3> cells{}; // of the grid
     double density = 0;                   // cells of the grid a primitive, where `cells` is 0
     std::uint32_t depth = 0;              // of the octree at most
+    unsigned threads = 0;                 // that build; 0: one a core
 };
 
 struct AccelTables {

@@ -20,6 +20,11 @@
 namespace lightbench {
 namespace {
 
+// Meshes and polygons consist of faces; the other shapes have forms of their own to test rays against.
+bool is_faceted(const Shape& shape) {
+    return std::holds_alternative<MeshUse>(shape) || std::holds_alternative<Polygon>(shape);
+}
+
 class Tessellator {
   public:
     Tessellator(const Scene& scene, const TessellationRequest& request)
@@ -40,6 +45,7 @@ class Tessellator {
     }
 
   private:
+    bool drawn(const Object& object) const { return !request_.analytic || is_faceted(object.shape); }
     void reserve();
     void start(std::uint32_t object);
     void cut_curved(Faces faces, const glm::dvec3& center);
@@ -181,6 +187,7 @@ void Tessellator::emit_polygons(const Facets& facets, const glm::dvec3& anchor, 
 void Tessellator::reserve() {
     std::size_t triangles = 0;
     for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
+        if (!drawn(scene_.objects[i])) continue;
         triangles += triangle_count(job_of(scene_, request_, geometry_.frame, i));
         if (triangles > limits::kMaxTriangles)
             throw std::length_error(
@@ -210,7 +217,8 @@ RasterGeometry Tessellator::run() {
     reserve();
     for (std::uint32_t i = 0; i < scene_.objects.size(); ++i) {
         start(i);
-        std::visit(*this, job_.object->shape);
+        if (drawn(*job_.object)) std::visit(*this, job_.object->shape);
+        if (request_.analytic) geometry_.object_surfaces.push_back(surface(job_.object->material));
     }
     const auto polygons = std::count_if(scene_.objects.begin(), scene_.objects.end(),
                                         [](const Object& object) { return std::holds_alternative<Polygon>(object.shape); });

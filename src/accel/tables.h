@@ -1,0 +1,29 @@
+// From the binary tree to the tables that shaders read. In: Tree, or boxes. Out: texels, and what goes with them in AccelTables.
+#pragma once
+
+#include "accel/accel.h"
+#include "accel/tree.h"
+
+namespace lightbench {
+
+// References to the primitives of a tree's leaves, in the order in which the tables hold them.
+class LeafReferences {
+  public:
+    explicit LeafReferences(const Tree& tree);
+    std::uint32_t of(const TreeNode& leaf) const;
+
+  private:
+    std::vector<std::uint32_t> index_; // of each item in the table of its type
+    const Tree& tree_;
+};
+
+// Both set AccelTables::stack to what their walk needs, if that is more than it says.
+void add_wide(AccelTables& tables, const Tree& tree);
+void add_narrow(AccelTables& tables, const Tree& tree);
+
+// Where plane q of the narrow tree lies, in exact arithmetic.
+inline double narrow_plane(const AccelTables& tables, int axis, std::uint32_t q) {
+    return double{tables.narrow_origin[axis]} + double{tables.narrow_step[axis]} * q;
+}
+
+} // namespace lightbench
