@@ -18,7 +18,10 @@ layout(constant_id = CONSTANT_SHADING) const uint kShading = SHADING_PHONG;
 layout(constant_id = CONSTANT_OUTPUT) const uint kOutput = OUTPUT_RADIANCE;
 layout(constant_id = CONSTANT_LIGHT_COUNT) const uint kLightCount = 0u;
 
+// The ray tracer includes this with push constants of its own, which begin alike, and lets shadows fall.
+#ifndef LIGHTBENCH_TRACED
 layout(push_constant, scalar) uniform Push { ShadePush push; };
+#endif
 
 FETCH_TABLE(materials, FETCH_MATERIALS, 0)
 FETCH_TABLE(lights, FETCH_LIGHTS, 2)
@@ -30,7 +33,7 @@ const float kLeastNormal = 1.1754944e-38;
 const TexelInfo kNoTexels = TexelInfo(0u, 0u, 0u, 0u);
 const Material kNoMaterial =
     Material(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, kNoTexels, kNoTexels, vec2(0.0), 0.0, 0.0,
-             vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), vec4(0.0), vec4(0.0));
+             vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), vec4(0.0), vec4(0.0), vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0);
 
 TexelInfo texel_info(uvec4 v) { return TexelInfo(v.x, v.y, v.z, v.w); }
 
@@ -88,6 +91,18 @@ Material read_material(uint index) {
         m.map_y = uintBitsToFloat(fetch_materials(at + 11u));
         m.map_z = uintBitsToFloat(fetch_materials(at + 12u));
     }
+    return m;
+}
+
+// With what only traced rays ask for.
+Material read_traced_material(uint index) {
+    Material m = read_material(index);
+    uint at = wants(EFFECT_MANY_MATERIALS) ? kMaterialTexels * index : 0u;
+    uvec4 a = fetch_materials(at + kMaterialReflection), b = fetch_materials(at + kMaterialReflection + 1u),
+          c = fetch_materials(at + kMaterialRefraction);
+    m.reflection = uintBitsToFloat(a.xyz), m.scatter = uintBitsToFloat(a.w);
+    m.transmission = uintBitsToFloat(b.xyz), m.splits = b.w;
+    m.refraction = uintBitsToFloat(c.xyz);
     return m;
 }
 
@@ -158,6 +173,13 @@ vec3 highlight(Surface s, Material m, vec3 l) {
     return factor;
 }
 
+// S15. How much of a light reaches the point, per channel.
+#ifdef LIGHTBENCH_TRACED
+vec3 visibility(uint light); // counted from the first of this pass
+#else
+vec3 visibility(uint light) { return vec3(1.0); }
+#endif
+
 // Which of the terms: what is proportional to kd, which a texture modulates, and what is not.
 const uint kPartDiffuse = 1u, kPartRest = 2u, kPartAll = 3u;
 
@@ -179,7 +201,10 @@ vec3 sum_lights(Surface s, Material m, uint part) {
     Sum3 compensated = sum_start();
     vec3 plain = vec3(0.0);
     for (; i < end; ++i) {
-        vec3 term = reflect_light(s, m, arrive(read_light(i), s.position), part);
+        Light light = read_light(i);
+        Arrival a = arrive(light, s.position);
+        a.intensity *= visibility(i - first);
+        vec3 term = reflect_light(s, m, a, part);
         if (wants(EFFECT_COMPENSATED_SUM)) sum_add(compensated, term);
         else plain += term;
     }

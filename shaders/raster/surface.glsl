@@ -3,6 +3,7 @@
 // here in each of them: they modulate what was shaded before.
 #include "detail.glsl"
 #include "environment.glsl"
+#include "texture.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -41,10 +42,6 @@ Detail fragment_detail() {
     return d;
 }
 
-// Picture coordinates and how they change from pixel to pixel; around a sphere or a cylinder they jump by 1 at the seam (TX-5).
-struct Footprint {
-    vec2 at, dx, dy;
-};
 Footprint footprint(Material m) {
     Footprint f = Footprint(vec2(0.0), vec2(0.0), vec2(0.0));
     if (!wants(EFFECT_ANY_MAPPING)) return f;
@@ -59,24 +56,6 @@ Footprint footprint(Material m) {
     if (around) f.dx = wrapped(f.dx), f.dy = wrapped(f.dy);
     f.at *= m.repeats, f.dx *= m.repeats, f.dy *= m.repeats;
     return f;
-}
-
-// The checker's dark squares, of its bright ones' kd.
-const float kDarkSquare = 0.2;
-
-// S10. What kd is multiplied by, and its alpha.
-vec4 texture_color(Material m, Footprint f) {
-    vec4 color = vec4(1.0);
-    uint kind = (m.kinds >> 4u) & 15u;
-    if (wants(EFFECT_TEXTURE)) {
-        vec4 sampled = sample_anisotropic(m.texture, f.at, f.dx, f.dy);
-        if (kind == kTexturePicture || kind == kTextureWithAlpha) color = vec4(sampled.rgb, kind == kTextureWithAlpha ? sampled.a : 1.0);
-    }
-    if (wants(EFFECT_CHECKER)) {
-        float bright = checker(f.at, f.dx, f.dy);
-        if (kind == kTextureChecker) color.rgb = vec3(mix(kDarkSquare, 1.0, bright));
-    }
-    return color;
 }
 
 vec3 mirrored(Surface s, Material m) {

@@ -56,6 +56,14 @@
 #define FETCH_TEXELS 0x20u
 #define FETCH_DETAIL 0x40u
 #define FETCH_LAYERS 0x80u
+#define FETCH_NODES 0x100u                      // from here on: of the ray tracer
+#define FETCH_NARROW 0x200u
+#define FETCH_TRIANGLES 0x400u
+#define FETCH_SPHERES 0x800u
+#define FETCH_SHAPES 0x1000u
+#define FETCH_CORNERS 0x2000u
+#define FETCH_RAYS 0x4000u                      // rays, hits, points, nodes of the ray tree
+#define FETCH_EYE_POINTS 0x8000u
 
 #define SHADING_FLAT 0u
 #define SHADING_GOURAUD 1u

@@ -23,8 +23,10 @@ const uint kAttenuationNone = 0u;
 const uint kAttenuationLinear = 1u;
 const uint kAttenuationInverseSquare = 2u;
 
-const uint kMaterialTexels = 13u;  // of a Material
+const uint kMaterialTexels = 16u;  // of a Material
 const uint kMaterialOpacity = 4u;  // the texel that begins with it
+const uint kMaterialReflection = 13u;
+const uint kMaterialRefraction = 15u;
 
 struct PointPosition {
     vec3 position;     // frame
@@ -95,7 +97,15 @@ struct Material {
     vec3 mirror;       // weight of environment mapping, times kr where the material names one
     float pad3;
     vec4 map_x, map_y, map_z; // mapping_from_frame, a row each: the object's box becomes [-1, 1] on each axis; z is the polar axis
+    vec3 reflection;   // kr; read where rays are traced, like what follows
+    float scatter;     // rms slope of frosted surfaces
+    vec3 transmission; // kt
+    uint splits;       // kSplit... bits
+    vec3 refraction;   // index of refraction, per channel
+    float pad4;
 };
+const uint kSplitFresnel = 1u;     // kr + kt is split by Fresnel
+const uint kSplitDispersion = 2u;  // the indices of the channels differ
 
 struct Light {
     vec3 position;     // frame; directional: unit vector towards the light
@@ -157,7 +167,7 @@ struct Census {
 
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
-static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 16 * kMaterialTexels && offsetof(Material, opacity) == 16 * kMaterialOpacity && sizeof(Light) == 64);
+static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 16 * kMaterialTexels && offsetof(Material, opacity) == 16 * kMaterialOpacity && offsetof(Material, reflection) == 16 * kMaterialReflection && offsetof(Material, refraction) == 16 * kMaterialRefraction && sizeof(Light) == 64);
 static_assert(sizeof(ShadePush) == 128 && sizeof(LayersPush) == 48 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif

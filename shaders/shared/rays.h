@@ -31,7 +31,7 @@ using glm::uvec4;
 #define RAY_DISPERSION 0x2000u                  // S18
 #define RAY_CUTOFF 0x4000u                      // S19: adaptive depth
 #define RAY_COUNT 0x8000u                       // counters
-#define RAY_MEDIA 0x10000u                      // media may be nested: rays carry what they are inside of
+#define RAY_RESUME 0x10000u                     // walks that spend their steps are put down and taken up again
 #define RAY_SMOOTH 0x20000u                     // triangles have normals of their own at their corners (not flat)
 #define RAY_UV 0x40000u                         // triangles have texture coordinates
 #define RAY_PACKETS 0x80000u                    // eight rays share one walk through the structure
@@ -106,7 +106,23 @@ const uint kSphereNodeTexels = 3u;
 struct Ray {
     vec3 origin; float after;          // hits at t > after count; at t == after those of a number > after_number
     vec3 direction; uint after_number; // unit
+    float width;                       // of the ray's cone at its origin, frame units: what a pixel spans
+    uint level;                        // 1: from the eye; straight rays (S13) have their parent's | the channels it carries << 8, a bit each
+    float weight;                      // largest channel of the product of the weights on the way from the eye
+    uint key;                          // of its random numbers: of the pixel, the sample and the way from the eye
 };
+const uint kRayTexels = 3u;
+
+// What shading a hit found, for summing its lights.
+struct RayPoint {
+    vec3 position; uint surface;       // kNothing: no hit, nothing to add up
+    vec3 normal; uint children;        // of the node: see there
+    vec3 origin; float pad0;           // of shadow rays: off the surface by its error, on the side that is seen
+    vec3 face; float pad1;             // unit geometric normal, on the side that is seen
+    vec3 diffuse; float pad2;          // kd, as the texture has it
+    vec3 opacity; float pad3;          // t, likewise
+};
+const uint kRayPointTexels = 6u;
 
 struct RayHit {
     float t;                           // frame units
@@ -117,7 +133,7 @@ struct RayHit {
 // A ray in the tree of its pixel: I = color + sum over its children of weight * I(child).
 struct RayNode {
     vec3 color; uint children;         // index of the first << 3 | their number
-    vec3 weight; uint kind;            // of this ray in its parent's sum; kRay... | level << 8
+    vec3 weight; uint kind;            // of this ray in its parent's sum; kRay...
 };
 const uint kRayNodeTexels = 2u;
 const uint kRayEye = 0u;
@@ -125,9 +141,77 @@ const uint kRayReflected = 1u;
 const uint kRayRefracted = 2u;
 const uint kRayStraight = 3u;
 
+// What a ray is inside of (S16), only where something refracts: surfaces + 1, the innermost first; 0: nothing.
+struct RayMedia {
+    uvec4 inside;
+};
+
+// A walk that is not finished: what the structure needs, the hit so far, what a shadow ray has passed; then the stack.
+struct RayWalk {
+    uint node, top, a, b;
+    RayHit hit;
+    vec3 clear; uint after_number;
+    float after;
+    uint light; // of a shadow walk: done or not is kept for each
+};
+const uint kRayWalkWords = 14u;
+
+// Push constants of the passes over rays; begins as ShadePush does, whose names shade.glsl reads.
+struct RayPush {
+    vec3 eye; uint first_light;
+    vec3 ambient; uint end_light;
+    vec3 background; uint count;       // rays of this generation
+    TexelInfo environment;
+    uint first;                        // node of its first ray
+    uint next_first;                   // node of the first ray of the next
+    uint next_capacity;                // rays that there is room for
+    uint max_level;
+    float cutoff;                      // S19
+    float spread;                      // radians: how fast cones of rays widen
+    uint seed;
+    uint resume;                       // 1: the walks that were not finished go on
+    uint more;                         // 1: the lights of this piece are added to those before
+    uint layer;                        // of visibility: of the light that the first layer of work groups is for
+    uint triangle_count, sphere_count, shape_count;
+};
+
+struct EyePush {
+    vec3 eye; float hither;            // frame; along the viewing axis
+    vec3 corner; uint count;           // of the image, at distance 1; samples of this dispatch
+    vec3 across; uint tile_x;          // per pixel; of the tile's first pixel
+    vec3 down; uint tile_y;
+    vec3 axis; uint tile_size;         // unit viewing direction; width | height << 16, pixels
+    vec2 shift;                        // within the pixel, [0, 1)^2; of a jittered sample: where its cell begins
+    float cell;                        // side of a cell, pixels
+    uint seed;
+    uint sample_index;                 // which of a pixel's samples
+    float spread;
+    uint first;                        // of the list of points
+    uint pad0;
+    uvec4 media;                       // that the eye is inside of
+};
+
+struct FilmPush {
+    uint tile_x, tile_y, tile_size;    // as EyePush
+    uint count;
+};
+
+struct GatherPush {
+    uint first, count;                 // nodes
+};
+
+// Filled by the passes, read by the host.
+struct RayCounters {
+    uint children;                     // rays that the next generation has, or would have, given room
+    uint unfinished;                   // walks that spent their steps
+    uint done;                         // invocations that ended
+    uint nodes, voxels, triangles, spheres, boxes, balls, cones, tori; // RAY_COUNT: tests, visits
+    uint hits, shadow_rays, reflected, refracted, straight;
+};
+
 #ifdef __cplusplus
 static_assert(sizeof(RayTriangle) == 16 * kTriangleTexels && sizeof(RaySphere) == 16 * kSphereTexels &&
-              sizeof(RayShape) == 16 * kShapeTexels && sizeof(Ray) == 32 && sizeof(RayHit) == 16 && sizeof(RayNode) == 16 * kRayNodeTexels);
+              sizeof(RayShape) == 16 * kShapeTexels && sizeof(Ray) == 16 * kRayTexels && sizeof(RayPoint) == 16 * kRayPointTexels && sizeof(RayMedia) == 16 && sizeof(RayWalk) == 4 * kRayWalkWords && sizeof(RayPush) <= 128 && sizeof(EyePush) <= 128 && sizeof(RayHit) == 16 && sizeof(RayNode) == 16 * kRayNodeTexels);
 } // namespace lightbench::gpu_layout
 #endif
 

@@ -18,7 +18,7 @@ struct OptionRow {
 };
 
 constexpr OptionRow kOptions[] = {
-    {"--method", "raster", "how light is computed: raster (raytrace, radiosity: not in this version)"},
+    {"--method", "METHOD", "how light is computed: raster, raytrace (radiosity: not in this version)"},
     {"--shading", "MODE", "where the model is evaluated: flat, gouraud, phong (default)"},
     {"--subdivide", "N", "refinement levels of every surface, 0 to 8"},
     {"--size", "WxH", "pixels; default the scene's [film], else 1280x720"},
@@ -39,14 +39,14 @@ constexpr OptionRow kOptions[] = {
     {"--quiet", nullptr, "no messages but errors"},
     {"--device", "D", "Vulkan device: part of its name, or its index; also LIGHTBENCH_DEVICE"},
     {"--allow-outside", nullptr, "the scene may name files outside of its folder"},
+    {"--depth", "N", "levels of the ray tree, the eye ray the first; default 5"},
+    {"--cutoff", "X", "rays of a smaller weight are not sent; default 0"},
+    {"--opaque-shadows", nullptr, "what one can see through casts shadows all the same"},
+    {"--accel", "NAME", "structure that rays walk through: none, bvh (default), sphere-bvh, grid, octree"},
+    {"--accel-param", "k=v", "of the structure: leaf, cells, density, depth"},
     {"--filter-width", "R", "", "--filter gaussian"},
     {"--contrast", "R,G,B", "", "--sampling adaptive"},
     {"--max-level", "N", "", "--sampling adaptive"},
-    {"--depth", "N", "", "--method raytrace"},
-    {"--cutoff", "X", "", "--method raytrace"},
-    {"--opaque-shadows", nullptr, "", "--method raytrace"},
-    {"--accel", "NAME", "", "--method raytrace"},
-    {"--accel-param", "k=v", "", "--method raytrace"},
     {"--hemicube", "N", "", "--method radiosity"},
     {"--patch", "SIZE", "", "--method radiosity"},
     {"--solver", "NAME", "", "--method radiosity"},
@@ -89,7 +89,9 @@ void refuse_later(Parser& p) {
 }
 
 void parse_choices(Parser& p, SceneOptions& o) {
-    p.choice("--method", {"raster"}, {"raytrace", "radiosity"});
+    if (const auto i = p.choice("--method", {"raster", "raytrace"}, {"radiosity"})) o.request.method = static_cast<Method>(*i);
+    if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"}, {}))
+        o.request.accel = static_cast<Structure>(*i);
     p.choice("--filter", {"box"}, {"gaussian"});
     p.choice("--precision", {"float32"}, {"float64"});
     if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"}, {})) o.request.shading = static_cast<Shading>(*i);
@@ -108,6 +110,15 @@ void parse_image(Parser& p, Request& r) {
             [&](double x) { r.exposure = static_cast<float>(x); });
     r.camera = p.text("--camera");
     r.terms = p.has("--terms");
+}
+
+void parse_rays(Parser& p, Request& r) {
+    p.value("--depth", parse_unsigned<255>, "a whole number from 1 to 255", [&](std::uint32_t n) {
+        r.depth = n;
+        if (n == 0) p.problem("--depth", "0 sees nothing; it must be at least 1, the eye ray");
+    });
+    p.value("--cutoff", parse_number<0, 1>, "a weight from 0 to 1", [&](double x) { r.cutoff = static_cast<float>(x); });
+    r.opaque_shadows = p.has("--opaque-shadows"), r.count = p.has("--count");
 }
 
 void parse_samples(Parser& p, Request& r) {
@@ -156,6 +167,7 @@ SceneOptions parse_scene_options(const Given& given, Problems& problems) {
     refuse_later(parser);
     parse_image(parser, options.request);
     parse_samples(parser, options.request);
+    parse_rays(parser, options.request);
     parse_frames(parser, options);
     options.device = parser.text("--device"), options.stats = parser.text("--stats");
     options.count = parser.has("--count"), options.quiet = parser.has("--quiet"), options.allow_outside = parser.has("--allow-outside");

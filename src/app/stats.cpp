@@ -18,7 +18,7 @@ std::uint64_t host_peak() {
 }
 
 ordered_json plan_json(const Plan& plan) {
-    ordered_json json = {{"effects", effect_names(plan.effects)}, {"passes", ordered_json::array()}, {"skipped", ordered_json::array()}};
+    ordered_json json = {{"effects", effect_names(plan)}, {"passes", ordered_json::array()}, {"skipped", ordered_json::array()}};
     for (const Pass& pass : plan.passes) json["passes"].push_back(pass.name);
     for (const Line& line : plan.skipped) json["skipped"].push_back({{"effect", line.name}, {"reason", line.reason}});
     return json;

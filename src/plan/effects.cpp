@@ -1,7 +1,9 @@
 #include "plan/effects.h"
 
 #include "shared/effects.h"
+#include "shared/rays.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace lightbench {
@@ -187,7 +189,8 @@ Verdict mirror_environment(const Facts& f, const Request&) {
 
 Verdict many_materials(const Facts& f, const Request& r) {
     const bool read = ambient(f, r).wanted || diffuse(f, r).wanted || specular(f, r).wanted || emission(f, r).wanted ||
-                      gaussian(f, r).wanted || beckmann(f, r).wanted || mirror_environment(f, r).wanted || f.translucent_materials > 0;
+                      gaussian(f, r).wanted || beckmann(f, r).wanted || mirror_environment(f, r).wanted || f.translucent_materials > 0 ||
+                      (r.method == Method::raytrace && f.reflective_materials + f.transmissive_materials > 0);
     if (!read) return no("no property of a material changes the image");
     const bool detailed =
         f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials + f.normal_map_materials > 0;
@@ -206,23 +209,61 @@ Verdict six_faces(const Facts& f, const Request&) {
     return f.six_faces ? yes("the map is six pictures") : no("the map is one picture");
 }
 
-Verdict transparency(const Facts& f, const Request&) {
-    return of_materials(f.translucent_materials, "every opacity is 1");
+bool traces(const Request& r) {
+    return r.method == Method::raytrace;
 }
+
+// Where nothing is refracted, what would be goes straight through.
+Verdict transparency(const Facts& f, const Request& r) {
+    return of_materials(traces(r) ? f.clear_materials : f.translucent_materials, "every opacity is 1");
+}
+bool reflects(const Facts& f) {
+    return f.reflective_materials > 0;
+}
+
 Verdict transmission(const Facts& f, const Request&) {
     return of_materials(f.transmissive_materials, "every kt is 0");
 }
 Verdict fresnel(const Facts& f, const Request&) {
     return of_materials(f.fresnel_materials, "no material asks for it");
 }
-Verdict scatter(const Facts& f, const Request&) {
+Verdict scatter(const Facts& f, const Request& r) {
+    if (traces(r) && f.scattering_materials > 0 && f.transmissive_materials == 0 && !reflects(f))
+        return no("{}, but none reflects or transmits", counted(f.scattering_materials, "material"));
     return of_materials(f.scattering_materials, "no surface is frosted");
 }
 Verdict dispersion(const Facts& f, const Request&) {
-    return of_materials(f.dispersive_materials, "no material asks for it");
+    return of_materials(std::max(f.dispersive_materials, f.tinted_materials), "no material asks for it");
 }
 
-Verdict reflection(const Facts& f, const Request&) {
+Verdict shadows(const Facts& f, const Request& r) {
+    if (!traces(r)) return no("the rasteriser casts none");
+    if (!is_lit(f, r)) return no("nothing is lit");
+    return yes("{}", counted(f.lights, "light"));
+}
+
+Verdict clear_shadows(const Facts& f, const Request& r) {
+    if (!traces(r) || !shadows(f, r).wanted) return no("there are no shadows");
+    const std::size_t n = std::max(f.clear_materials, f.transmissive_materials);
+    if (n == 0) return no("nothing lets light through");
+    if (r.opaque_shadows) return no("{}, but --opaque-shadows was asked for", counted(n, "material"));
+    return yes("{}", counted(n, "material"));
+}
+
+Verdict cutoff(const Facts& f, const Request& r) {
+    if (!traces(r)) return no("no rays are traced");
+    if (r.cutoff <= 0) return no("--cutoff is 0");
+    if (!reflects(f) && f.transmissive_materials + f.clear_materials == 0) return no("no ray is sent on");
+    return yes("rays of a weight below {:g} are not sent", r.cutoff);
+}
+
+Verdict counters(const Facts&, const Request& r) {
+    if (!traces(r)) return no("no rays are traced");
+    return r.count ? yes("--count was asked for") : no("--count was not asked for");
+}
+
+Verdict reflection(const Facts& f, const Request& r) {
+    if (traces(r)) return of_materials(f.reflective_materials, "every kr is 0");
     if (f.mirror_materials > 0) return yes("{}", counted(f.mirror_materials, "mirror"));
     if (f.reflective_materials > 0) return no("no material names one (kr = ks counts where rays are traced)");
     return no("every kr is 0");
@@ -262,12 +303,16 @@ const std::vector<Effect>& table() {
         {"environment: mirrored", EFFECT_MIRROR_ENVIRONMENT, mirror_environment, pictures, ""},
         {"environment: background", EFFECT_BACKGROUND_MAP, background_map, {}, ""},
         {"environment: six faces", EFFECT_SIX_FACES, six_faces, {}, ""},
-        {"transparency", EFFECT_TRANSPARENCY, transparency, surface, ""},
-        {"transmission", 0, transmission, {}, "drawn as opacity 1 - kt, nothing is refracted"},
-        {"reflection", 0, reflection, {}, "drawn without what they would mirror"},
-        {"fresnel", 0, fresnel, {}, "drawn without the split of reflection and transmission"},
-        {"scatter", 0, scatter, {}, "drawn as if polished"},
-        {"dispersion", 0, dispersion, {}, "drawn without colors split"},
+        {"transparency", EFFECT_TRANSPARENCY, transparency, surface, "", RAY_STRAIGHT},
+        {"transmission", 0, transmission, surface, "drawn as opacity 1 - kt, nothing is refracted", RAY_REFRACTED},
+        {"reflection", 0, reflection, surface, "drawn without what they would mirror", RAY_REFLECTED},
+        {"fresnel", 0, fresnel, surface, "drawn without the split of reflection and transmission", RAY_FRESNEL},
+        {"scatter", 0, scatter, surface, "drawn as if polished", RAY_SCATTER},
+        {"dispersion", 0, dispersion, surface, "drawn without colors split", RAY_DISPERSION},
+        {"shadows", 0, shadows, light, "", RAY_SHADOWS},
+        {"shadows: through what is clear", 0, clear_shadows, surface, "", RAY_CLEAR_SHADOWS},
+        {"adaptive depth", 0, cutoff, {}, "", RAY_CUTOFF},
+        {"counters", 0, counters, {}, "", RAY_COUNT},
     };
     return rows;
 }

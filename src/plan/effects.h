@@ -20,10 +20,11 @@ struct Verdict {
 
 struct Effect {
     std::string_view name;
-    std::uint32_t bit = 0; // EFFECT_... (shaders/shared/effects.h); 0: not drawn yet
+    std::uint32_t bit = 0; // EFFECT_... (shaders/shared/effects.h); 0: not of the illumination model
     Verdict (*wanted)(const Facts&, const Request&);
     std::vector<std::string_view> reads; // resources, besides the geometry
-    std::string_view instead;            // what is drawn in its place, where bit is 0
+    std::string_view instead;            // what a method that does not draw it draws in its place
+    std::uint32_t ray_bit = 0;           // RAY_... (shaders/shared/rays.h): drawn where rays are traced
 };
 
 std::span<const Effect> effects();

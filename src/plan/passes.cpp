@@ -1,6 +1,7 @@
 #include "plan/passes.h"
 
 #include "shared/effects.h"
+#include "shared/rays.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -76,19 +77,41 @@ void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_re
                       {"radiance"}});
 }
 
-} // namespace
-
-std::string image_of(const Plan& plan) {
-    return accumulates(plan) ? "sum" : "radiance";
+// One generation of rays after the other; what a generation sends on is known when it has been shaded.
+std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
+    const bool smooth = plan.shading != Shading::flat;
+    Names surfaces = joined({"rays", "hits", "primitives"}, lit_reads), sent = {"points"};
+    if (smooth) surfaces.emplace_back("normals");
+    if (plan.effects & EFFECT_BACKGROUND_MAP) surfaces.emplace_back("texels");
+    if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) sent = joined(sent, {"rays", "ray-tree"});
+    std::vector<Pass> passes = {
+        {"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays", "ray-tree"}},
+        {"trace", "the nearest hit of each ray", {"rays", "primitives", "structure"}, {"hits"}},
+        {"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent},
+    };
+    Names lit = joined({"points", "rays"}, lit_reads);
+    if (plan.ray_effects & RAY_SHADOWS) {
+        passes.push_back({"shadow", "what stands before each light", {"points", "lights", "primitives", "structure"}, {"visibility"}});
+        lit.emplace_back("visibility");
+    }
+    passes.push_back({"light", "the illumination model at those points", lit, {"ray-tree"}});
+    if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT))
+        passes.push_back({"gather", "the ray trees, from their leaves to their roots", {"ray-tree"}, {"ray-tree"}});
+    passes.push_back({"film", "their roots as pixels", {"ray-tree"}, {"radiance"}});
+    if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
+    passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
+    return passes;
 }
 
-std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
+std::vector<Pass> raster_passes(const Plan& plan, const Names& lit_reads) {
     std::vector<Pass> passes = {
         {"shade-polygons", "the model once a polygon, at its centre", joined({"polygons"}, lit_reads), {"polygon-colors"}},
         {"shade-vertices", "the model once a vertex", joined({"vertices", "normals"}, lit_reads), {"vertex-colors"}},
     };
-    Names targets = {"radiance", "depth"};
-    if (plan.multisamples > 1) targets.push_back("radiance-samples");
+    Names targets;
+    targets.emplace_back("radiance");
+    targets.emplace_back("depth");
+    if (plan.multisamples > 1) targets.emplace_back("radiance-samples");
     passes.push_back({"raster", "visible surfaces" + samples(plan), drawn_from(plan, lit_reads), targets});
     add_background(passes, plan);
     add_layers(passes, plan, lit_reads);
@@ -97,6 +120,16 @@ std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
         passes.push_back({"term-" + term, "a layer of the file", term_reads(plan.shading, lit_reads), {"layer-" + term, "depth"}});
     passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
     return passes;
+}
+
+} // namespace
+
+std::string image_of(const Plan& plan) {
+    return accumulates(plan) ? "sum" : "radiance";
+}
+
+std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
+    return plan.method == Method::raytrace ? ray_passes(plan, lit_reads) : raster_passes(plan, lit_reads);
 }
 
 std::vector<Pass> walk_back(std::vector<Pass> candidates, Names wanted) {

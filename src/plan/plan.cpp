@@ -22,11 +22,12 @@ std::vector<std::string> decide_effects(const Facts& facts, const Request& reque
         const std::string name(effect.name);
         if (!verdict.wanted) {
             plan.skipped.push_back({name, verdict.reason});
-        } else if (effect.bit == 0) {
-            plan.fallbacks.push_back({name, fmt::format("{}: {}; not in the rasteriser of this version", verdict.reason, effect.instead)});
+        } else if (effect.bit == 0 && (effect.ray_bit == 0 || request.method != Method::raytrace)) {
+            plan.fallbacks.push_back({name, fmt::format("{}: {}; the rasteriser knows no rays", verdict.reason, effect.instead)});
         } else {
             plan.wanted.push_back({name, verdict.reason});
             plan.effects |= effect.bit;
+            if (request.method == Method::raytrace) plan.ray_effects |= effect.ray_bit;
             reads.insert(effect.reads.begin(), effect.reads.end());
         }
     }
@@ -36,14 +37,14 @@ std::vector<std::string> decide_effects(const Facts& facts, const Request& reque
 void decide_lights(const Facts& facts, const Request& request, Plan& plan) {
     if (!is_lit(facts, request)) return;
     plan.light_count = facts.lights <= kFewLights ? static_cast<std::uint32_t>(facts.lights) : 0;
-    plan.light_passes = (facts.lights + kLightsPerPass - 1) / kLightsPerPass;
+    if (request.method == Method::raster) plan.light_passes = (facts.lights + kLightsPerPass - 1) / kLightsPerPass;
 }
 
 // One frame of 1 or 4 hardware samples unless a pattern was named; every other number of samples is that many shifted frames.
 void decide_samples(const Request& request, Plan& plan) {
     // Layers are listed one sample a pixel.
     const bool few = request.spp == 1 || (request.spp == 4 && !(plan.effects & EFFECT_TRANSPARENCY));
-    const bool hardware = request.sampling == Sampling::none && few;
+    const bool hardware = request.method == Method::raster && request.sampling == Sampling::none && few;
     plan.multisamples = hardware ? request.spp : 1;
     plan.frames = hardware ? 1 : request.spp;
     plan.jittered = request.sampling == Sampling::jittered;
@@ -105,8 +106,14 @@ Resource geometry_buffer(const std::string& name, const Facts& facts, const Plan
     return table(name, facts.geometry->polygons * plan.colors_of_point(), sizeof(glm::vec4)); // polygon-colors
 }
 
+bool request_rays(const std::string& name) {
+    static const std::set<std::string> names = {"primitives", "structure", "rays", "hits", "points", "visibility", "ray-tree", "media"};
+    return names.contains(name);
+}
+
 // Describes one resource by its name.
 Resource describe(const std::string& name, const Facts& facts, const Plan& plan) {
+    if (request_rays(name)) return {name, 0, "sized by the scene's primitives and by the rays of a batch"};
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
     if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));
     if (name == "texels") return {name, 0, fmt::format("{} pictures with their smaller levels", facts.pictures)};
@@ -148,10 +155,10 @@ std::size_t Plan::colors_of_point() const {
     return (effects & EFFECT_TWO_SIDED ? 2u : 1u) * (effects & EFFECT_ANY_TEXTURE ? 2u : 1u);
 }
 
-std::vector<std::string> effect_names(std::uint32_t mask) {
+std::vector<std::string> effect_names(const Plan& plan) {
     std::vector<std::string> names;
     for (const Effect& effect : effects())
-        if (effect.bit & mask) names.emplace_back(effect.name);
+        if ((effect.bit & plan.effects) || (effect.ray_bit & plan.ray_effects)) names.emplace_back(effect.name);
     return names;
 }
 
@@ -160,6 +167,9 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
     plan.method = request.method, plan.shading = request.shading, plan.output = request.output;
     plan.size = request.size.value_or(plan.size);
     plan.crop = request.crop.value_or(Rect{glm::uvec2(0), plan.size});
+    plan.depth = request.depth, plan.cutoff = request.cutoff, plan.accel = request.accel, plan.accel_parameters = request.accel_parameters;
+    plan.filter = request.filter, plan.filter_width = request.filter_width, plan.filter_sigma = request.filter_sigma;
+    plan.sampling = request.sampling, plan.contrast = request.contrast, plan.max_level = request.max_level;
     plan.exposure = request.exposure, plan.seed = request.seed, plan.subdivide = request.subdivide;
     plan.lights = facts.lights;
     plan.fallbacks = std::move(notes);
@@ -167,6 +177,8 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
     note_roughness(facts, plan);
     if (request.output == Output::radiance && request.exposure != 0)
         plan.fallbacks.push_back({"exposure", "not applied: a file of linear radiance has none"});
+    if (request.method == Method::raytrace && request.shading == Shading::gouraud)
+        plan.fallbacks.push_back({"shading", "gouraud: rays meet points, not vertices; normals are interpolated as with phong"});
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
     decide_samples(request, plan);

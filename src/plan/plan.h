@@ -38,7 +38,17 @@ struct Plan {
     glm::uvec2 size{1280, 720};
     Rect crop{}; // the whole image if none was asked for
     float exposure = 0;
-    std::uint32_t effects = 0; // EFFECT_... bits (shaders/shared/effects.h)
+    std::uint32_t effects = 0;     // EFFECT_... bits (shaders/shared/effects.h)
+    std::uint32_t ray_effects = 0; // RAY_... bits (shaders/shared/rays.h)
+    unsigned depth = 5;            // as in the request, like what follows
+    float cutoff = 0;
+    Structure accel = Structure::bvh;
+    AccelParameters accel_parameters{};
+    Filter filter = Filter::box;
+    float filter_width = 1.5f, filter_sigma = 0.5f;
+    Sampling sampling = Sampling::none;
+    glm::vec3 contrast{0};
+    unsigned max_level = 0;
     unsigned multisamples = 1; // 1 or 4, per drawn frame
     unsigned frames = 1;       // shifted frames that are averaged
     bool jittered = false;     // their shifts are jittered, else a regular grid
@@ -65,7 +75,7 @@ constexpr std::uint32_t kFewLights = 8; // up to here the loop over lights has a
 constexpr std::size_t kLightsPerPass = 16384;
 
 // The effects (plan/effects.h) that set a bit of the mask, by name, in the order of the table: for --stats and the tests.
-std::vector<std::string> effect_names(std::uint32_t mask);
+std::vector<std::string> effect_names(const Plan& plan);
 
 // Decides; once with the facts of the file, which says what to tessellate, and again when Facts::geometry is known. `notes` are fallbacks that were decided while the scene was completed (plan/complete.h).
 Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes = {});

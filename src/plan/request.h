@@ -11,11 +11,21 @@ namespace lightbench {
 enum class Method { raster, raytrace, radiosity };
 enum class Shading { flat, gouraud, phong };
 enum class Sampling { none, uniform, jittered, adaptive };
-enum class Output { pixels, radiance }; // display-referred 8 bit (PNG), or linear radiance (EXR)
+enum class Filter { box, gaussian };
+enum class Structure { none, bvh, sphere_bvh, grid, octree }; // as ACCEL_... (shaders/shared/rays.h)
+enum class Output { pixels, radiance };                       // display-referred 8 bit (PNG), or linear radiance (EXR)
 
 struct Rect {
     glm::uvec2 offset{0}, size{0};
 }; // pixels, origin at the upper left
+
+// 0: chosen by what builds the structure.
+struct AccelParameters {
+    unsigned leaf = 0;   // primitives of a leaf at most (bvh, sphere-bvh), of a voxel before it is split (octree)
+    glm::uvec3 cells{0}; // of the grid
+    double density = 0;  // cells of the grid a primitive
+    unsigned depth = 0;  // of the octree at most
+};
 
 struct Request {
     Method method = Method::raster;
@@ -31,6 +41,18 @@ struct Request {
     float exposure = 0; // stops
     Output output = Output::pixels;
     bool terms = false; // one layer a term (EXR only)
+    bool count = false; // rays and tests are counted
+
+    // Rays only.
+    unsigned depth = 5;          // levels of the ray tree, the eye ray the first; 1 to 255
+    float cutoff = 0;            // rays of a smaller weight are not sent; 0: none is too small
+    bool opaque_shadows = false; // what one can see through casts shadows all the same
+    Structure accel = Structure::bvh;
+    AccelParameters accel_parameters{};
+    Filter filter = Filter::box;
+    float filter_width = 1.5f, filter_sigma = 0.5f; // of the Gaussian: radius and sigma, pixels
+    glm::vec3 contrast{0.25f, 0.2f, 0.4f};          // S26
+    unsigned max_level = 2;                         // of adaptive sampling: a pixel is split in 4 at most so many times
 };
 
 } // namespace lightbench

@@ -79,8 +79,8 @@ std::vector<glm::uvec4> pack_objects(const std::vector<std::uint32_t>& objects) 
 void upload_points(Uploader& up, const RasterGeometry& geometry, const Plan& plan) {
     GpuScene& out = up.out;
     const auto vertex = BufferUsageFlagBits::eVertexBuffer;
-    out.positions = up.table("positions", geometry.vertices.positions, FETCH_POINTS, vertex);
-    if (!geometry.indices.empty())
+    if (plan.has("vertices")) out.positions = up.table("positions", geometry.vertices.positions, FETCH_POINTS, vertex);
+    if (plan.has("indices") && !geometry.indices.empty())
         out.indices = gpu::make_filled_buffer(up.device, "indices", std::span(geometry.indices), BufferUsageFlagBits::eIndexBuffer);
     if (plan.has("normals")) out.normals = up.table("normals", geometry.vertices.normals, FETCH_POINTS, vertex);
     if (plan.has("detail")) {
@@ -132,7 +132,20 @@ void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& bu
                                                                                {"layer_surfaces", "layer_surfaces_storage"},
                                                                                {"layer_opacities", "layer_opacities_storage"},
                                                                                {"deep_pixels", "deep_pixels_storage"},
-                                                                               {"keys_in", "keys_in_storage"}};
+                                                                               {"keys_in", "keys_in_storage"},
+                                                                               {"nodes", "nodes_storage"},
+                                                                               {"narrow", "narrow_storage"},
+                                                                               {"triangles", "triangles_storage"},
+                                                                               {"spheres", "spheres_storage"},
+                                                                               {"shapes", "shapes_storage"},
+                                                                               {"corners", "corners_storage"},
+                                                                               {"rays", "rays_storage"},
+                                                                               {"hits", "hits_storage"},
+                                                                               {"points", "points_storage"},
+                                                                               {"lit", "lit_storage"},
+                                                                               {"tree", "tree_storage"},
+                                                                               {"media", "media_storage"},
+                                                                               {"eye_points", "eye_points_storage"}};
     if (!buffer) return;
     bindings.emplace_back(name, buffer);
     bindings.emplace_back(kStorageNames.at(name), buffer);

@@ -55,6 +55,7 @@ class Converter {
 
   private:
     void set_model(const Material& m, gpu_layout::Material& out) const;
+    void set_rays(const Material& m, gpu_layout::Material& out) const;
     void set_pictures(const Material& m, gpu_layout::Material& out);
     void set_mapping(const Material& m, const Object& object, gpu_layout::Material& out) const;
     bool draws(std::uint32_t effects) const { return plan_.effects & effects; }
@@ -81,6 +82,23 @@ void Converter::set_model(const Material& m, gpu_layout::Material& out) const {
     out.ior = glm::clamp(m.f0 ? ior_of_f0(*m.f0) : m.ior, 1e-9f, 1e9f); // what lib/fresnel.glsl takes
     out.roughness = std::max(m.roughness, static_cast<float>(kLeastRoughness));
     if (draws(EFFECT_COOK_TORRANCE)) out.lobe = static_cast<float>(lobe_factor(m.distribution, out.roughness));
+}
+
+// Cauchy's A + B / lambda^2, lambda in micrometres (SPEC S18, RULINGS).
+glm::vec3 refraction_of(const Material& m) {
+    if (m.dispersion.y == 0) return m.ior;
+    const glm::vec3 wavelength(0.65f, 0.55f, 0.45f);
+    return m.dispersion.x + m.dispersion.y / (wavelength * wavelength);
+}
+
+void Converter::set_rays(const Material& m, gpu_layout::Material& out) const {
+    out.reflection = m.reflection.value_or(m.specular);
+    // What no reflected ray is sent after mirrors the environment; the rest meets it where its rays leave the scene.
+    if (glm::any(glm::greaterThan(out.reflection, glm::vec3(0)))) out.mirror = glm::vec3(0);
+    out.scatter = m.scatter, out.transmission = m.transmission;
+    out.refraction = refraction_of(m);
+    const bool disperses = out.refraction.x != out.refraction.y || out.refraction.x != out.refraction.z;
+    out.splits = (m.fresnel ? gpu_layout::kSplitFresnel : 0) | (disperses ? gpu_layout::kSplitDispersion : 0);
 }
 
 void Converter::set_pictures(const Material& m, gpu_layout::Material& out) {
@@ -115,9 +133,11 @@ gpu_layout::Material Converter::convert(const Surface& surface) {
     const Material& m = scene_.materials[surface.material];
     gpu_layout::Material out{};
     out.diffuse = m.diffuse, out.specular = m.specular, out.emission = m.emission, out.shininess = m.shininess;
-    out.opacity = straight_opacity(m);
+    const bool traced = plan_.method == Method::raytrace;
+    out.opacity = traced ? m.opacity : straight_opacity(m); // where rays are traced, what is transmitted is refracted
     out.mirror = m.environment * m.reflection.value_or(glm::vec3(1));
     if (m.model == Model::cook_torrance) out.mirror = glm::vec3(m.environment); // tinted by its Fresnel term
+    if (traced) set_rays(m, out);
     set_model(m, out);
     set_pictures(m, out);
     if (m.texture || m.bump) set_mapping(m, scene_.objects[surface.object], out);

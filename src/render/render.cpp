@@ -6,6 +6,7 @@
 #include "render/display.h"
 #include "render/layers.h"
 #include "render/raster.h"
+#include "render/raytrace.h"
 #include "render/terms.h"
 #include "shared/effects.h"
 
@@ -29,6 +30,7 @@ struct RendererState {
     std::map<RasterVariant, RasterPipelines> pipelines;
     Layers layers;
     gpu::Timings times; // of what was submitted on the way
+    std::optional<RayTracer> tracer;
 };
 
 namespace {
@@ -113,11 +115,26 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
     }
 }
 
+// Frames of a tracer: one sample a pixel each.
+gpu::Image& record_rays(RendererState& s, const View& view) {
+    s.tracer->counts = {};
+    const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, {}};
+    for (unsigned i = 0; i < s.plan.frames; ++i) {
+        const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(s.plan.frames))));
+        RayFrame frame{view, s.plan.crop, glm::vec2(0.5f), 0, i, s.environment.ambient, s.environment.background};
+        frame.cell = s.plan.jittered ? 1.0f / float(n) : 0;
+        frame.shift = (glm::vec2(i % n, i / n) + (s.plan.jittered ? 0.0f : 0.5f)) / float(n);
+        trace_frame(*s.tracer, work, frame, s.targets.resolved);
+        if (s.sum) record_accumulate(s.recorder, s.display, s.targets.resolved, s.sum, 1.0f / float(s.plan.frames), i == 0);
+    }
+    return s.sum ? s.sum : s.targets.resolved;
+}
+
 RenderOutput run_image(RendererState& s, const View& view) {
     RenderOutput out;
     const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background, "raster", true};
     s.times.clear();
-    gpu::Image& image = record_drawing(s, view, drawing, out.triangles_drawn);
+    gpu::Image& image = s.tracer ? record_rays(s, view) : record_drawing(s, view, drawing, out.triangles_drawn);
     if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
     const gpu::Timings last = s.recorder.submit_and_wait();
     add_times(out, s.times);
@@ -154,7 +171,8 @@ TessellationRequest tessellation_for(const Plan& plan, const View& view) {
     request.subdivide = plan.subdivide;
     request.normals = plan.has("normals");
     request.detail = plan.has("detail");
-    request.polygons = plan.has("polygon-colors") || std::ranges::find(plan.terms, "object") != plan.terms.end();
+    request.analytic = plan.method == Method::raytrace;
+    request.polygons = request.analytic || plan.has("polygon-colors") || std::ranges::find(plan.terms, "object") != plan.terms.end();
     return request;
 }
 
@@ -171,8 +189,10 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry
                                {},
                                {},
                                {},
+                               {},
                                {}}) {
     if (plan.runs("accumulate")) state_->sum = make_sum(device, plan.size);
+    if (plan.method == Method::raytrace) state_->tracer = make_ray_tracer(device, scene, geometry, plan);
     state_->display = make_display(device, plan);
 }
 

@@ -2,6 +2,7 @@
 #include "plan/effects.h"
 #include "plan_scenes.h"
 #include "shared/effects.h"
+#include "shared/rays.h"
 
 #include <bit>
 #include <gtest/gtest.h>
@@ -212,8 +213,12 @@ TEST(PlanEffects, TransparencyIsThreePassesAndSeenFromBehind) {
 }
 
 TEST(PlanEffects, NamesOfAMask) {
-    EXPECT_EQ(effect_names(EFFECT_SPECULAR | EFFECT_AMBIENT), (std::vector<std::string>{"ambient", "specular"}));
-    EXPECT_TRUE(effect_names(0).empty());
+    Plan plan;
+    EXPECT_TRUE(effect_names(plan).empty());
+    plan.effects = EFFECT_SPECULAR | EFFECT_AMBIENT;
+    EXPECT_EQ(effect_names(plan), (std::vector<std::string>{"ambient", "specular"}));
+    plan.ray_effects = RAY_REFLECTED;
+    EXPECT_EQ(effect_names(plan), (std::vector<std::string>{"ambient", "specular", "reflection"}));
 }
 
 } // namespace

@@ -1,0 +1,51 @@
+// Eye rays of a tile, one a pixel, or through listed points of the image. In: the camera. Out: the first generation of rays, their nodes.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
+#include "shared/effects.h"
+#include "shared/rays.h"
+#include "fetch.glsl"
+#include "lib/random.glsl"
+#include "lib/vector.glsl"
+#include "raytrace/tile.glsl"
+
+layout(constant_id = CONSTANT_RAY_EFFECTS) const uint kRayEffects = 0u;
+layout(local_size_x = 64) in;
+layout(push_constant, scalar) uniform Push { EyePush push; };
+FETCH_TABLE(eye_points, FETCH_EYE_POINTS, 24)
+layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { Ray next_rays[]; };
+layout(set = 0, binding = 34, scalar) writeonly buffer Tree { uvec4 node_words[]; };
+layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
+layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_media[]; };
+
+bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
+
+// Point of the image, pixels, (0, 0) its upper left corner; and what numbers of the ray are drawn from.
+vec2 image_point(uint i, out uint key) {
+    if (wants_ray(RAY_LIST)) {
+        uvec4 p = fetch_eye_points(push.first + i);
+        key = p.z;
+        return uintBitsToFloat(p.xy);
+    }
+    uvec2 pixel = uvec2(push.tile_x, push.tile_y) + tile_pixel(i, uvec2(push.tile_size & 0xffffu, push.tile_size >> 16u));
+    uvec4 words = hash4(uvec4(pixel, push.sample_index, push.seed));
+    key = words.z;
+    vec2 within = push.shift;
+    if (wants_ray(RAY_JITTER)) within += push.cell * vec2(words.xy >> 8u) * 5.9604645e-8;
+    return vec2(pixel) + within;
+}
+
+void main() {
+    uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
+    for (uint n = uint(gl_LocalInvocationIndex == 0u && i < push.count); n > 0u; --n)
+        atomicAdd(counters.done, min(gl_WorkGroupSize.x, push.count - i));
+    if (i >= push.count) return;
+    uint key;
+    vec2 at = image_point(i, key);
+    vec3 d = fast_normalize(push.corner + at.x * push.across + at.y * push.down);
+    float after = push.hither / max(dot(d, push.axis), 1.1754944e-38);
+    next_rays[i] = Ray(push.eye, after, d, kNothing, 0.0, 1u | 7u << 8u, 1.0, key);
+    node_words[kRayNodeTexels * i + 1u] = uvec4(floatBitsToUint(vec3(1.0)), kRayEye);
+    if (wants_ray(RAY_REFRACTED)) next_media[i] = push.media;
+}

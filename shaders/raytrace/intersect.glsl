@@ -1,0 +1,141 @@
+// One ray against one primitive, whatever walks the structure: so that all structures find the same hit to the last bit. The nearest hit
+// counts; of two at the same distance that of the lower number. In: the global `ray`. Out: hit and its number.
+#ifndef LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
+#define LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
+
+#include "raytrace/rays.glsl"
+#include "lib/ray.glsl"
+#include "lib/ray_box.glsl"
+#include "lib/ray_cone.glsl"
+#include "lib/ray_sphere.glsl"
+#include "lib/ray_torus.glsl"
+#include "lib/ray_triangle.glsl"
+
+FETCH_TABLE(triangles, FETCH_TRIANGLES, 8)
+FETCH_TABLE(spheres, FETCH_SPHERES, 10)
+FETCH_TABLE(shapes, FETCH_SHAPES, 12)
+
+struct RayState {
+    vec3 o, d, inv_d;
+    float after;
+    uint after_number;
+    float slack; // boxes are taken to be larger by this: no hit is farther outside of its box than its rounding
+};
+RayState ray;
+RayShear shear;
+uint hit_number = 0u; // no hit: a miss, which is as far as the limit, must not count as one at the same distance
+uint tested_triangles = 0u, tested_spheres = 0u, tested_boxes = 0u, tested_balls = 0u, tested_cones = 0u, tested_tori = 0u;
+uint count_nodes = 0u, count_voxels = 0u;
+
+// Boxes are larger by 32 u (R + max |o|), R = 2 the extent of every frame: lib/ray_box.glsl derives why no box is then missed that holds
+// what a ray hits.
+void start_ray(Ray r) {
+    ray.o = r.origin, ray.d = r.direction, ray.after = r.after, ray.after_number = r.after_number;
+    ray.inv_d = safe_inverse(r.direction);
+    vec3 size = abs(r.origin);
+    ray.slack = 1.9073486e-6 * (max(max(size.x, size.y), size.z) + 2.0);
+    if (wants_ray(RAY_TRIANGLES)) shear = shear_of(r.direction);
+}
+
+// Hits at exactly `after` count for numbers above after_number: how a ray goes on behind a surface that it passed without losing another
+// one at the same place.
+float after_for(uint number) {
+    if (!wants_ray(RAY_STRAIGHT | RAY_CLEAR_SHADOWS)) return ray.after;
+    float before = uintBitsToFloat(max(floatBitsToUint(ray.after), 1u) - 1u);
+    return number > ray.after_number ? before : ray.after;
+}
+
+void offer(inout RayHit hit, float t, uint ref, uint number, float b1, float b2) {
+    bool nearer = t < hit.t || (t == hit.t && number < hit_number);
+    hit.t = nearer ? t : hit.t;
+    hit.ref = nearer ? ref : hit.ref;
+    hit.b1 = nearer ? b1 : hit.b1;
+    hit.b2 = nearer ? b2 : hit.b2;
+    hit_number = nearer ? number : hit_number;
+}
+
+void test_triangle(uint index, inout RayHit hit) {
+    uvec4 a = fetch_triangles(kTriangleTexels * index), b = fetch_triangles(kTriangleTexels * index + 1u),
+          c = fetch_triangles(kTriangleTexels * index + 2u);
+    vec2 weights;
+    float t = ray_triangle(shear, ray.o, uintBitsToFloat(a.xyz), uintBitsToFloat(b.xyz), uintBitsToFloat(c.xyz), after_for(a.w), weights);
+    offer(hit, t, kTypeTriangle << kRefType | index, a.w, weights.x, weights.y);
+    if (wants_ray(RAY_COUNT)) ++tested_triangles;
+}
+
+void test_sphere(uint index, inout RayHit hit) {
+    uvec4 a = fetch_spheres(kSphereTexels * index), b = fetch_spheres(kSphereTexels * index + 1u);
+    float t = ray_sphere(ray.o, ray.d, uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), after_for(b.x));
+    offer(hit, t, kTypeSphere << kRefType | index, b.x, 0.0, 0.0);
+    if (wants_ray(RAY_COUNT)) ++tested_spheres;
+}
+
+void test_shape(uint index, inout RayHit hit) {
+    uint at = kShapeTexels * index;
+    uvec4 x = fetch_shapes(at), y = fetch_shapes(at + 1u), z = fetch_shapes(at + 2u), k = fetch_shapes(at + 3u);
+    uint number = fetch_shapes(at + 4u).x;
+    vec3 p = ray.o - uintBitsToFloat(uvec3(x.w, y.w, z.w)), rx = uintBitsToFloat(x.xyz), ry = uintBitsToFloat(y.xyz),
+         rz = uintBitsToFloat(z.xyz), parameters = uintBitsToFloat(k.yzw);
+    vec3 o = vec3(dot(rx, p), dot(ry, p), dot(rz, p)), d = vec3(dot(rx, ray.d), dot(ry, ray.d), dot(rz, ray.d));
+    float after = after_for(number), t = kNoHit;
+    uint part = 0u;
+    // Loops of one round at most: an `if` would run all four shapes on a CPU driver.
+    if (wants_ray(RAY_BOXES))
+        for (uint i = 0u; i < uint(k.x == kShapeBox); ++i) {
+            t = ray_cube(o, d, after, part);
+            if (wants_ray(RAY_COUNT)) ++tested_boxes;
+        }
+    if (wants_ray(RAY_BALLS))
+        for (uint i = 0u; i < uint(k.x == kShapeBall); ++i) {
+            t = ray_ball(o, d, after);
+            if (wants_ray(RAY_COUNT)) ++tested_balls;
+        }
+    if (wants_ray(RAY_CONES))
+        for (uint i = 0u; i < uint(k.x == kShapeCone); ++i) {
+            t = ray_cone(o, d, parameters.x, parameters.y, parameters.z != 0.0, after, part);
+            if (wants_ray(RAY_COUNT)) ++tested_cones;
+        }
+    if (wants_ray(RAY_TORI))
+        for (uint i = 0u; i < uint(k.x == kShapeTorus); ++i) {
+            t = ray_torus(o, d, parameters.x, after);
+            if (wants_ray(RAY_COUNT)) ++tested_tori;
+        }
+    offer(hit, t, kTypeShape << kRefType | index, number, uintBitsToFloat(part), 0.0);
+}
+
+uint type_of(uint ref) { return (ref >> kRefType) & 3u; }
+uint index_of(uint ref) { return ref & kRefIndex; }
+
+// A single primitive.
+void test_reference(uint ref, inout RayHit hit) {
+    uint type = type_of(ref);
+    if (wants_ray(RAY_TRIANGLES))
+        for (uint i = 0u; i < uint(type == kTypeTriangle); ++i) test_triangle(index_of(ref), hit);
+    if (wants_ray(RAY_SPHERES))
+        for (uint i = 0u; i < uint(type == kTypeSphere); ++i) test_sphere(index_of(ref), hit);
+    if (wants_ray(RAY_SHAPES))
+        for (uint i = 0u; i < uint(type == kTypeShape); ++i) test_shape(index_of(ref), hit);
+}
+
+uint number_of(uint ref) {
+    uint type = type_of(ref), index = index_of(ref);
+    if (ref == kNothing) return 0u;
+    if (wants_ray(RAY_TRIANGLES) && type == kTypeTriangle) return fetch_triangles(kTriangleTexels * index).w;
+    if (wants_ray(RAY_SPHERES) && type == kTypeSphere) return fetch_spheres(kSphereTexels * index + 1u).x;
+    if (wants_ray(RAY_SHAPES)) return fetch_shapes(kShapeTexels * index + 4u).x;
+    return 0u;
+}
+
+void add_counts() {
+    if (!wants_ray(RAY_COUNT)) return;
+    atomicAdd(counters.triangles, tested_triangles);
+    atomicAdd(counters.spheres, tested_spheres);
+    atomicAdd(counters.boxes, tested_boxes);
+    atomicAdd(counters.balls, tested_balls);
+    atomicAdd(counters.cones, tested_cones);
+    atomicAdd(counters.tori, tested_tori);
+    atomicAdd(counters.nodes, count_nodes);
+    atomicAdd(counters.voxels, count_voxels);
+}
+
+#endif

@@ -1,0 +1,45 @@
+// The illumination model at the points of a generation (S14, the terms that need no further ray). In: points, rays, lights, visibility.
+// Out: the color of each ray's node, without its children.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
+#define LIGHTBENCH_TRACED
+#include "raytrace/rays.glsl"
+#include "raytrace/points.glsl"
+#include "shade.glsl"
+#include "environment.glsl"
+
+FETCH_TABLE(lit, FETCH_RAYS, 30)
+FETCH_TABLE(tree, FETCH_RAYS, 28)
+layout(set = 0, binding = 34, scalar) buffer Tree { uvec4 node_words[]; };
+
+uint point_index = 0u;
+
+vec3 visibility(uint light) {
+    if (!wants_ray(RAY_SHADOWS)) return vec3(1.0);
+    return uintBitsToFloat(fetch_lit(light * push.count + point_index).xyz);
+}
+
+// Where no ray is sent after the mirror image the environment stands in for it, as in the rasteriser (S12).
+vec3 mirrored(Surface s, Material m) {
+    if (!wants(EFFECT_MIRROR_ENVIRONMENT)) return vec3(0.0);
+    return mirror_factor(s, m) * environment_radiance(reflected(s.normal, s.to_viewer), 0.0);
+}
+
+void main() {
+    uint i = invocation();
+    count_done(push.count);
+    if (i >= push.count) return;
+    point_index = i;
+    RayPoint p = read_point(i);
+    Material m = read_material(p.surface == kNothing ? 0u : p.surface);
+    m.diffuse = p.diffuse;
+    Surface s = Surface(p.position, p.normal, -uintBitsToFloat(fetch_rays(kRayTexels * i + 1u).xyz));
+    bool first = push.first_light == 0u;
+    vec3 color = p.opacity * (first ? shade(s, m) + mirrored(s, m) : sum_lights(s, m, kPartAll));
+    uint at = kRayNodeTexels * (push.first + i);
+    vec3 before = vec3(0.0);
+    if (push.more != 0u) before = uintBitsToFloat(fetch_tree(at).xyz);
+    if (p.surface != kNothing) node_words[at] = uvec4(floatBitsToUint(before + color), p.children);
+}

@@ -1,0 +1,36 @@
+// What every pass over rays shares: its specialisation, the tables of primitives, rays and nodes of the ray tree.
+#ifndef LIGHTBENCH_RAYTRACE_RAYS_GLSL
+#define LIGHTBENCH_RAYTRACE_RAYS_GLSL
+
+#include "shared/effects.h"
+#include "shared/rays.h"
+#include "fetch.glsl"
+
+layout(constant_id = CONSTANT_RAY_EFFECTS) const uint kRayEffects = 0u;
+layout(constant_id = CONSTANT_ACCEL) const uint kAccel = ACCEL_BVH;
+
+layout(local_size_x = 64) in; // before anything asks for gl_WorkGroupSize
+layout(push_constant, scalar) uniform Push { RayPush push; };
+
+FETCH_TABLE(rays, FETCH_RAYS, 22)
+layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
+
+bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
+
+// Work groups come in rows, since not every device takes many along x.
+uint invocation() { return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }
+
+Ray read_ray(uint i) {
+    uvec4 a = fetch_rays(kRayTexels * i), b = fetch_rays(kRayTexels * i + 1u), c = fetch_rays(kRayTexels * i + 2u);
+    return Ray(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.x), c.y, uintBitsToFloat(c.z), c.w);
+}
+
+// One invocation bears witness for its work group: an atomic each would cost more than the work. Loops of one round at most stand for `if`
+// wherever the body is dear: CPU drivers run both sides of an `if`, but no round of a loop that nobody takes.
+void count_done(uint count) {
+    uint first = invocation();
+    for (uint n = uint(gl_LocalInvocationIndex == 0u && first < count); n > 0u; --n)
+        atomicAdd(counters.done, min(gl_WorkGroupSize.x, count - first));
+}
+
+#endif

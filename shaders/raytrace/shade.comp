@@ -1,0 +1,128 @@
+// The surface at every hit of a generation, and the rays that it sends on (S13, S14, S16 to S19). In: rays, hits. Out: the points whose
+// lights are to be summed; the next generation of rays and their nodes; the finished nodes of rays that leave the scene.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#extension GL_EXT_samplerless_texture_functions : require
+#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#define LIGHTBENCH_TRACED
+#include "raytrace/hit_surface.glsl"
+#include "environment.glsl"
+#include "texture.glsl"
+#include "raytrace/spawn.glsl"
+
+FETCH_TABLE(hits, FETCH_RAYS, 24)
+layout(set = 0, binding = 33, scalar) writeonly buffer Points { RayPoint points[]; };
+
+vec3 visibility(uint light) { return vec3(1.0); } // no light is summed here
+
+// Radiance from where no object is.
+vec3 background_radiance(Ray r) {
+    if (wants(EFFECT_BACKGROUND_MAP)) return environment_radiance(r.direction, push.spread);
+    return push.background;
+}
+
+// What the cone of the ray covers of the surface, as steps of picture coordinates: across the plane of incidence, and along it.
+Footprint hit_footprint(Material m, HitSurface h, Ray r, float width) {
+    Footprint f = Footprint(vec2(0.0), vec2(0.0), vec2(0.0));
+    if (!wants(EFFECT_ANY_MAPPING)) return f;
+    vec3 du, dv;
+    picture_gradients(m, h.position, h.detail, du, dv);
+    f.at = picture_uv(m, h.position, h.detail.uv);
+    float cosine = abs(dot(h.face, r.direction));
+    vec3 along = r.direction - h.face * dot(h.face, r.direction);
+    vec3 a = fast_normalize(dot(along, along) < 9.094947e-13 ? abs(h.face.x) < 0.7 ? cross(h.face, vec3(1.0, 0.0, 0.0)) : cross(h.face, vec3(0.0, 1.0, 0.0)) : along);
+    vec3 b = cross(h.face, a);
+    float stretch = width / max(cosine, 1.5258789e-5); // 2^-16: longer steps are the whole picture in any case
+    f.dx = vec2(dot(du, a), dot(dv, a)) * stretch * m.repeats, f.dy = vec2(dot(du, b), dot(dv, b)) * width * m.repeats;
+    f.at *= m.repeats;
+    return f;
+}
+
+// The shading normal on the side that is seen, tilted by bumps.
+vec3 shading_normal(Material m, HitSurface h, Footprint f, vec3 face, vec3 to_viewer) {
+    bool back = dot(face, h.face) < 0.0;
+    vec3 n = back ? -h.normal : h.normal;
+    if (!wants(EFFECT_ANY_BUMP)) return n;
+    float lod = 0.0;
+    if (wants(EFFECT_BUMP_HEIGHT | EFFECT_NORMAL_MAP)) lod = lod_of(m.bump, f.dx, f.dy);
+    vec3 bumped = bumped_normal(m, h.normal, h.position, h.detail, lod);
+    vec3 facing = keep_facing(back ? -bumped : bumped, n, to_viewer);
+    return is_bumped(m) ? facing : n;
+}
+
+RayPoint point_of(Material m, HitSurface h, Ray r, float width) {
+    vec3 to_viewer = -r.direction;
+    RayPoint p;
+    p.face = dot(h.face, to_viewer) < 0.0 ? -h.face : h.face;
+    Footprint f = hit_footprint(m, h, r, width);
+    vec4 texture = vec4(1.0);
+    if (wants(EFFECT_ANY_TEXTURE)) texture = texture_color(m, f);
+    p.position = h.position, p.surface = h.surface;
+    p.normal = shading_normal(m, h, f, p.face, to_viewer);
+    p.origin = offset_origin(h.position, h.error, p.face, p.face);
+    p.diffuse = m.diffuse * texture.rgb;
+    p.opacity = vec3(1.0);
+    if (wants(EFFECT_TRANSPARENCY)) p.opacity = m.opacity * texture.a;
+    p.children = 0u;
+    p.pad0 = p.pad1 = p.pad2 = p.pad3 = 0.0;
+    return p;
+}
+
+void write_children(uint at, uint i, Ray r, RayHit hit, HitSurface h, RayPoint p, Sent s, float width) {
+    if (wants_ray(RAY_REFLECTED))
+        for (uint n = uint(is_any(s.mirrored)); n > 0u; --n) write_mirrored(at++, i, r, h, p, s, width);
+    if (wants_ray(RAY_REFRACTED)) {
+        uint left = s.channels;
+        for (uint n = refracted_rays(s); n > 0u; --n) {
+            uint channel = left & (~left + 1u); // the lowest bit
+            write_refracted(at++, r, h, p, s, width, channel);
+            left ^= channel;
+        }
+    }
+    if (wants_ray(RAY_STRAIGHT))
+        for (uint n = uint(is_any(s.straight)); n > 0u; --n) write_straight(at++, i, r, hit, h, s);
+}
+
+void count_children(Sent s) {
+    if (!wants_ray(RAY_COUNT)) return;
+    atomicAdd(counters.reflected, uint(is_any(s.mirrored)));
+    atomicAdd(counters.refracted, refracted_rays(s));
+    atomicAdd(counters.straight, uint(is_any(s.straight)));
+}
+
+void main() {
+    uint i = invocation(), k = min(i, push.count - 1u);
+    count_done(push.count);
+    bool live = i < push.count;
+    Ray r = read_ray(k);
+    uvec4 words = fetch_hits(k);
+    RayHit hit = RayHit(uintBitsToFloat(words.x), words.y, uintBitsToFloat(words.z), uintBitsToFloat(words.w));
+    ray.o = r.origin, ray.d = r.direction;
+    bool found = live && hit.ref != kNothing;
+    float width = r.width + hit.t * push.spread;
+    HitSurface h;
+    RayPoint p;
+    Sent s = Sent(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), 0u);
+    for (uint n = uint(found); n > 0u; --n) {
+        h = hit_surface(hit);
+        Material m = read_traced_material(h.surface);
+        p = point_of(m, h, r, width);
+        if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) s = sent_on(k, r, h, m, p);
+    }
+    if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) {
+        uint wanted = rays_sent(s);
+        bool room;
+        uint at = allocate(wanted, room);
+        p.children = (push.next_first + at) << 3u | wanted;
+        for (uint n = uint(room && wanted > 0u); n > 0u; --n) write_children(at, k, r, hit, h, p, s, width);
+        count_children(s);
+    }
+    for (uint n = uint(found); n > 0u; --n) points[i] = p;
+    for (uint n = uint(live && !found); n > 0u; --n) {
+        points[i].surface = kNothing;
+        node_words[kRayNodeTexels * (push.first + i)] = uvec4(floatBitsToUint(background_radiance(r)), 0u);
+    }
+    if (wants_ray(RAY_COUNT)) atomicAdd(counters.hits, uint(found));
+}

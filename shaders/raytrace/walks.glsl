@@ -1,0 +1,42 @@
+// One walk, by the structure that was asked for; and how walks that spent their steps are put down and taken up in a later dispatch.
+#ifndef LIGHTBENCH_RAYTRACE_WALKS_GLSL
+#define LIGHTBENCH_RAYTRACE_WALKS_GLSL
+
+#include "raytrace/walk_bvh.glsl"
+
+// kRayWalkWords + kStack words each.
+layout(set = 0, binding = 37, scalar) buffer Walks { uint walk_words[]; };
+
+Walk walk_start() { return Walk(0u, 1u, 0u, 0u); }
+
+// hit.t is the limit: what lies beyond is not found. True if the walk has ended.
+bool walk(inout RayHit hit, bool any, inout Walk w) {
+    if (kAccel == ACCEL_BVH) {
+        if (wants_ray(RAY_PACKETS)) return walk_wide(hit, any, w);
+        return walk_narrow(hit, any, w);
+    }
+    return true;
+}
+
+void take_up_walk(uint slot, inout Walk w, inout RayHit hit) {
+    uint at = slot * (kRayWalkWords + kStack);
+    w = Walk(walk_words[at], walk_words[at + 1u], walk_words[at + 2u], walk_words[at + 3u]);
+    hit = RayHit(uintBitsToFloat(walk_words[at + 4u]), walk_words[at + 5u], uintBitsToFloat(walk_words[at + 6u]),
+                 uintBitsToFloat(walk_words[at + 7u]));
+    hit_number = number_of(hit.ref);
+    for (uint i = 0u; i < (w.node == kNothing ? 0u : w.top); ++i) stack[i] = walk_words[at + kRayWalkWords + i];
+}
+
+void put_down_walk(uint slot, Walk w, RayHit hit) {
+    uint at = slot * (kRayWalkWords + kStack);
+    walk_words[at] = w.node, walk_words[at + 1u] = w.top, walk_words[at + 2u] = w.a, walk_words[at + 3u] = w.b;
+    walk_words[at + 4u] = floatBitsToUint(hit.t), walk_words[at + 5u] = hit.ref;
+    walk_words[at + 6u] = floatBitsToUint(hit.b1), walk_words[at + 7u] = floatBitsToUint(hit.b2);
+    for (uint i = 0u; i < (w.node == kNothing ? 0u : w.top); ++i) walk_words[at + kRayWalkWords + i] = stack[i];
+}
+
+void count_unfinished(bool done) {
+    for (uint n = uint(!done); n > 0u; --n) atomicAdd(counters.unfinished, 1u);
+}
+
+#endif

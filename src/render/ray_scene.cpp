@@ -1,0 +1,68 @@
+// Builds the structure that the plan names, and uploads it with the primitives in its order.
+#include "render/ray_scene.h"
+
+#include "shared/effects.h"
+#include "shared/rays.h"
+
+namespace lightbench {
+namespace {
+
+template <class T>
+gpu::Buffer table(gpu::Device& device, RayScene& out, const char* name, const std::vector<T>& values, std::uint32_t bit) {
+    if (values.empty()) return {};
+    gpu::Buffer buffer = gpu::make_texel_buffer(device, name, values.size() * sizeof(T));
+    gpu::upload(device, buffer, std::as_bytes(std::span(values)));
+    if (!buffer.as_texel()) out.fetch_storage |= bit;
+    return buffer;
+}
+
+AccelRequest request_of(const Plan& plan) {
+    AccelRequest request;
+    request.accel = static_cast<Accel>(plan.accel);
+    request.leaf = plan.accel_parameters.leaf;
+    for (std::size_t i = 0; i < 3; ++i) request.cells[i] = plan.accel_parameters.cells[static_cast<int>(i)];
+    request.density = plan.accel_parameters.density;
+    request.depth = plan.accel_parameters.depth;
+    return request;
+}
+
+std::uint32_t effects_of(const RayPrimitives& primitives, const Plan& plan) {
+    static constexpr std::uint32_t kShapes[] = {RAY_BOXES, RAY_BALLS, RAY_CONES, RAY_TORI}; // by kShape...
+    std::uint32_t effects = primitives.spheres.empty() ? 0 : RAY_SPHERES;
+    for (const gpu_layout::RayShape& shape : primitives.shapes) effects |= kShapes[shape.kind];
+    if (primitives.triangles.empty()) return effects;
+    effects |= RAY_TRIANGLES;
+    if (plan.has("normals")) effects |= RAY_SMOOTH;
+    if (plan.has("detail")) effects |= RAY_UV;
+    return effects;
+}
+
+// The narrow tree's planes are whole numbers; its first texels say of what.
+void prepend_planes(AccelTables& tables) {
+    const auto words = [](const glm::vec3& v) { return glm::uvec4(glm::floatBitsToUint(v), 0); };
+    tables.narrow.insert(tables.narrow.begin(), {words(tables.narrow_origin), words(tables.narrow_step)});
+}
+
+} // namespace
+
+RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
+    RayPrimitives primitives = ray_primitives(scene, geometry);
+    RayScene out;
+    out.accel = build_accel(primitives, request_of(plan));
+    out.effects = effects_of(primitives, plan);
+    out.stack = out.accel.stack + 2; // what ends the walk, and one that is written before it is known whether it stays
+    if (!out.accel.narrow.empty()) prepend_planes(out.accel);
+    out.nodes = table(device, out, "nodes", out.accel.nodes, FETCH_NODES);
+    out.narrow = table(device, out, "narrow", out.accel.narrow, FETCH_NARROW);
+    out.triangles = table(device, out, "triangles", primitives.triangles, FETCH_TRIANGLES);
+    out.spheres = table(device, out, "spheres", primitives.spheres, FETCH_SPHERES);
+    out.shapes = table(device, out, "shapes", primitives.shapes, FETCH_SHAPES);
+    if (out.effects & (RAY_SMOOTH | RAY_UV)) out.corners = table(device, out, "corners", primitives.corners, FETCH_CORNERS);
+    out.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
+    out.sphere_count = static_cast<std::uint32_t>(primitives.spheres.size());
+    out.shape_count = static_cast<std::uint32_t>(primitives.shapes.size());
+    out.accel.nodes = {}, out.accel.narrow = {};
+    return out;
+}
+
+} // namespace lightbench

@@ -1,0 +1,65 @@
+// The ray tracer: eye rays of a tile, then generation after generation until no ray is left, then the trees gathered from their leaves.
+// In: GpuScene, RayScene, a plan, a view. Out: one sample a pixel in an image. Work is cut into tiles, so that memory and the time of a
+// dispatch are bounded; a tile whose trees outgrow the buffers is done again in smaller ones. The same bits come out however it is cut.
+#pragma once
+
+#include "plan/complete.h"
+#include "render/gpu_scene.h"
+#include "render/ray_scene.h"
+
+#include <array>
+#include <functional>
+#include <map>
+
+namespace lightbench {
+
+struct RayCounts {
+    std::uint64_t eye = 0, eye_hit = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
+    std::uint64_t nodes = 0, voxels = 0, triangles = 0, spheres = 0, boxes = 0, balls = 0, cones = 0, tori = 0;
+};
+
+// Buffers for the rays of a batch; `rays` and `media` are those of this generation and of the next.
+struct RayBuffers {
+    std::array<gpu::Buffer, 2> rays, media;
+    gpu::Buffer hits, points, visibility, tree, counters, walks;
+    std::uint32_t capacity = 0; // rays of a generation
+    std::uint32_t nodes = 0;    // of the ray tree
+    std::uint32_t lights = 1;   // that are summed in one piece, for a full generation
+};
+
+enum class RayPass { eye, trace, shade, shadow, light, gather, film };
+
+struct RayTracer {
+    RayScene scene;
+    RayBuffers buffers;
+    std::map<std::pair<RayPass, std::uint32_t>, gpu::ComputePipeline> pipelines; // by RAY_... bits
+    RayCounts counts;
+    std::uint32_t lights = 0; // of the scene
+};
+
+RayTracer make_ray_tracer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
+
+// One sample of every pixel of `area`.
+struct RayFrame {
+    const View& view;
+    Rect area;
+    glm::vec2 shift{0.5f};    // within the pixel
+    float cell = 0;           // side of the cell in which the sample is jittered; 0: not
+    std::uint32_t sample = 0; // its number
+    glm::vec3 ambient{0}, background{0};
+};
+
+struct RayWork {
+    gpu::Device& device;
+    gpu::Recorder& recorder; // submitted on the way
+    const Plan& plan;
+    GpuScene& scene;
+    const RasterGeometry& geometry;
+    gpu::Timings& times;                  // appended
+    std::function<void(double)> progress; // may be empty; the share of the frame that is done
+};
+
+// Writes `image` (linear radiance, whole image). EnvironmentError if the tree of a single pixel does not fit.
+void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
+
+} // namespace lightbench
