@@ -102,7 +102,8 @@ vec4 enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
     vec4 az = (n.low_z - low.z) * inv_d.z, bz = (n.high_z - high.z) * inv_d.z;
     vec4 t_in = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), vec4(0.0)));
     vec4 t_out = min(min(max(ax, bx), max(ay, by)), min(max(az, bz), vec4(limit))) * 1.00000095; // 2^-20: see enter_narrow
-    return mix(vec4(kNoHit), t_in, lessThanEqual(t_in, t_out));
+    t_in = mix(vec4(kNoHit), t_in, lessThanEqual(t_in, t_out));
+    return mix(t_in, vec4(kNoHit), equal(n.children, uvec4(kNothing)));
 }
 
 #define NEARER_FIRST(I, J)                                        \
