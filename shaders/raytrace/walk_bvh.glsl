@@ -76,34 +76,35 @@ bool walk_narrow(inout RayHit hit, bool any, inout Walk w) {
     return at == kNothing;
 }
 
-// Of the eight rays of a packet. Shuffles cost a third of what reductions do on CPU drivers.
-float packet_min(float x) {
-    x = min(x, subgroupShuffleXor(x, 1u));
-    x = min(x, subgroupShuffleXor(x, 2u));
-    return min(x, subgroupShuffleXor(x, 4u));
+// Bits that any of the eight rays has set. Shuffles cost a third of what votes and reductions do on CPU drivers.
+uint packet_or(uint bits) {
+    bits |= subgroupShuffleXor(bits, 1u);
+    bits |= subgroupShuffleXor(bits, 2u);
+    return bits | subgroupShuffleXor(bits, 4u);
 }
 
-// Where the ray enters each of four boxes, or kNoHit: `planes` as the wide node holds them.
+// Planes as the wide node holds them.
 struct WideNode {
     vec4 low_x, high_x, low_y, high_y, low_z, high_z;
     uvec4 children;
 };
 
 WideNode read_wide(uint index) {
-    uint at = kWideTexels * index;
-    return WideNode(uintBitsToFloat(fetch_nodes(at)), uintBitsToFloat(fetch_nodes(at + 1u)), uintBitsToFloat(fetch_nodes(at + 2u)),
-                    uintBitsToFloat(fetch_nodes(at + 3u)), uintBitsToFloat(fetch_nodes(at + 4u)), uintBitsToFloat(fetch_nodes(at + 5u)),
-                    fetch_nodes(at + 6u));
+    uvec4 q = fetch_nodes(kWideTexels * index + gl_SubgroupInvocationID);
+    return WideNode(uintBitsToFloat(subgroupShuffle(q, 0u)), uintBitsToFloat(subgroupShuffle(q, 1u)), uintBitsToFloat(subgroupShuffle(q, 2u)),
+                    uintBitsToFloat(subgroupShuffle(q, 3u)), uintBitsToFloat(subgroupShuffle(q, 4u)), uintBitsToFloat(subgroupShuffle(q, 5u)),
+                    subgroupShuffle(q, 6u));
 }
 
-vec4 enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
+// Which of the four boxes the ray enters.
+uint enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
     vec4 ax = (n.low_x - low.x) * inv_d.x, bx = (n.high_x - high.x) * inv_d.x;
     vec4 ay = (n.low_y - low.y) * inv_d.y, by = (n.high_y - high.y) * inv_d.y;
     vec4 az = (n.low_z - low.z) * inv_d.z, bz = (n.high_z - high.z) * inv_d.z;
     vec4 t_in = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), vec4(0.0)));
     vec4 t_out = min(min(max(ax, bx), max(ay, by)), min(max(az, bz), vec4(limit))) * 1.00000095; // 2^-20: see enter_narrow
-    t_in = mix(vec4(kNoHit), t_in, lessThanEqual(t_in, t_out));
-    return mix(t_in, vec4(kNoHit), equal(n.children, uvec4(kNothing)));
+    bvec4 enters = lessThanEqual(t_in, t_out);
+    return uint(enters.x) | uint(enters.y) << 1u | uint(enters.z) << 2u | uint(enters.w) << 3u;
 }
 
 #define NEARER_FIRST(I, J)                                        \
@@ -114,18 +115,21 @@ vec4 enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
         t[I] = t_low, t[J] = t_high, child[I] = low, child[J] = high; \
     }
 
-// All eight go wherever one of them must: what they find is what each would find alone. The farther children wait, the farthest lowest.
+// All eight go wherever one of them must: what they find is what each would find alone. The nearer child first, by where its middle lies
+// along the first ray, which all of them can tell; the farther ones wait.
 bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
-    vec3 low = ray.o + ray.slack, high = ray.o - ray.slack;
+    vec3 low = ray.o + ray.slack, high = ray.o - ray.slack, along = subgroupShuffle(ray.d, 0u);
     uint at = w.node, top = w.top, steps = 0u;
     stack[0] = kNothing;
     while (at != kNothing && steps < kPacketBudget) {
         while (!is_leaf(at)) {
             WideNode n = read_wide(at);
             float limit = any && hit.ref != kNothing ? -1.0 : hit.t;
-            vec4 t = enter_wide(n, low, high, ray.inv_d, limit);
+            uint entered = packet_or(enter_wide(n, low, high, ray.inv_d, limit));
             uvec4 child = n.children;
-            t = vec4(packet_min(t.x), packet_min(t.y), packet_min(t.z), packet_min(t.w));
+            vec4 t = (n.low_x + n.high_x) * along.x + (n.low_y + n.high_y) * along.y + (n.low_z + n.high_z) * along.z;
+            t = mix(vec4(kNoHit), t, notEqual(uvec4(entered) & uvec4(1u, 2u, 4u, 8u), uvec4(0u)));
+            t = mix(t, vec4(kNoHit), equal(child, uvec4(kNothing)));
             NEARER_FIRST(0, 1) NEARER_FIRST(2, 3) NEARER_FIRST(0, 2) NEARER_FIRST(1, 3) NEARER_FIRST(1, 2)
             stack[top] = child.w;
             top += uint(t.w < kNoHit);

@@ -27,16 +27,36 @@ ordered_json plan_json(const Plan& plan) {
 ordered_json time_json(const RunRecord& run, const RenderOutput& output) {
     ordered_json passes = ordered_json::array();
     for (const StepTime& step : output.times) passes.push_back({{"name", step.name}, {"device", step.milliseconds}});
-    return {{"load", run.load}, {"accel_build", nullptr}, {"pipelines", run.pipelines}, {"device", output.device_milliseconds},
-            {"wall", run.wall}, {"passes", passes}};
+    return {{"load", run.load},           {"accel_build", output.accel ? ordered_json(output.accel->milliseconds) : ordered_json(nullptr)},
+            {"pipelines", run.pipelines}, {"device", output.device_milliseconds},
+            {"wall", run.wall},           {"passes", passes}};
 }
 
 // The rasteriser casts no ray and tests no primitive: counted, that is 0 of each.
-ordered_json zeros(bool counting, std::initializer_list<const char*> names) {
+ordered_json rays_json(bool counting, const RayStatistics& r) {
     if (!counting) return nullptr;
-    ordered_json json = ordered_json::object();
-    for (const char* name : names) json[name] = 0;
-    return json;
+    return {{"eye", r.eye},          {"eye_hit", r.eye_hit}, {"shadow", r.shadow}, {"reflected", r.reflected}, {"refracted", r.refracted},
+            {"straight", r.straight}};
+}
+
+// Polygons are tested as triangles, cylinders as cones of two equal radii, ellipsoids as balls.
+ordered_json tests_json(bool counting, const RayStatistics& r) {
+    if (!counting) return nullptr;
+    return {{"sphere", r.spheres + r.balls},
+            {"polygon", 0},
+            {"triangle", r.triangles},
+            {"box", r.boxes},
+            {"cone", r.cones},
+            {"cylinder", 0},
+            {"torus", r.tori},
+            {"node", r.nodes},
+            {"voxel", r.voxels}};
+}
+
+ordered_json accel_json(const RenderOutput& output) {
+    if (!output.accel) return nullptr;
+    const AccelStatistics& a = *output.accel;
+    return {{"bytes", a.bytes}, {"nodes", a.nodes}, {"references", a.references}, {"depth", a.depth}};
 }
 
 } // namespace
@@ -52,8 +72,9 @@ std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::Device
                          {"plan", plan_json(plan)},
                          {"time", time_json(run, output)},
                          {"counting", run.counting}};
-    json["rays"] = zeros(run.counting, {"eye", "eye_hit", "shadow", "reflected", "refracted"});
-    json["tests"] = zeros(run.counting, {"sphere", "polygon", "triangle", "box", "cone", "cylinder", "torus", "node", "voxel"});
+    json["rays"] = rays_json(run.counting, output.rays.value_or(RayStatistics{}));
+    json["tests"] = tests_json(run.counting, output.rays.value_or(RayStatistics{}));
+    json["accel"] = accel_json(output);
     json["radiosity"] = nullptr;
     json["triangles"] = {{"scene", plan.triangles.value_or(0)}, {"drawn", output.triangles_drawn}};
     json["memory"] = {{"device_peak", run.device_peak}, {"host_peak", host_peak()}};

@@ -61,6 +61,7 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
     out.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
     out.sphere_count = static_cast<std::uint32_t>(primitives.spheres.size());
     out.shape_count = static_cast<std::uint32_t>(primitives.shapes.size());
+    out.structure_bytes = out.accel.bytes();
     out.accel.nodes = {}, out.accel.narrow = {};
     return out;
 }

@@ -13,7 +13,8 @@ struct RayScene {
     std::uint32_t stack = 2;                                        // entries that a walk needs
     std::uint32_t triangle_count = 0, sphere_count = 0, shape_count = 0;
     std::uint32_t fetch_storage = 0; // FETCH_... bits of the tables that are no texel buffers here
-    AccelTables accel;               // without its tables: what building it took
+    std::size_t structure_bytes = 0;
+    AccelTables accel; // without its tables: what building it took
 };
 
 RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);

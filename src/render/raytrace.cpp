@@ -88,6 +88,7 @@ class TileTracer {
     TileTracer(RayTracer& tracer, const RayWork& work, const RayFrame& frame) : t_(tracer), w_(work), frame_(frame), b_(tracer.buffers) {}
     // False if its trees outgrow the buffers.
     bool trace(const Tile& tile, gpu::Image& image);
+    void warm_up(gpu::Image& image);
 
   private:
     void record_eye(const Tile& tile);
@@ -120,14 +121,14 @@ class TileTracer {
 };
 
 gpu::Groups groups_of(std::uint32_t invocations, std::uint32_t layers = 1) {
-    gpu::Groups groups = groups_for(invocations);
+    gpu::Groups groups = groups_for(std::max(invocations, 1u));
     groups.z = layers;
     return groups;
 }
 
 // Eye rays go together, and so do the shadow rays of what they hit; the others go their own way.
 std::uint32_t TileTracer::packets() const {
-    const bool together = generations_.size() == 1 && w_.device.info().subgroup_size == 8 && w_.plan.accel == Structure::bvh;
+    const bool together = generations_.size() <= 1 && w_.device.info().subgroup_size == 8 && w_.plan.accel == Structure::bvh;
     return together && !(w_.plan.ray_effects & RAY_COUNT) ? RAY_PACKETS : 0;
 }
 
@@ -285,7 +286,7 @@ bool TileTracer::run_slowly(const Generation& g, RayCounters& c) {
 }
 
 void TileTracer::add(const RayCounters& c) {
-    RayCounts& all = t_.counts;
+    RayStatistics& all = t_.counts;
     all.shadow += c.shadow_rays, all.reflected += c.reflected, all.refracted += c.refracted, all.straight += c.straight;
     all.nodes += c.nodes, all.voxels += c.voxels, all.triangles += c.triangles, all.spheres += c.spheres;
     all.boxes += c.boxes, all.balls += c.balls, all.cones += c.cones, all.tori += c.tori;
@@ -322,6 +323,24 @@ void TileTracer::gather_and_film(const Tile& tile, gpu::Image& image) {
                         groups_of(tile.count()));
 }
 
+void TileTracer::warm_up(gpu::Image& image) {
+    const Tile nothing{frame_.area.offset.x, frame_.area.offset.y, 0, 0};
+    record_eye(nothing);
+    const Generation none{};
+    for (const std::size_t generations : {1, 2}) { // rays that go together, and those that do not
+        generations_.resize(generations);
+        if (generations == 2 && !(w_.plan.ray_effects & kSpawns)) break;
+        record_trace(none, false);
+        RayPush push = push_for(none);
+        if (w_.plan.ray_effects & RAY_SHADOWS) record_shadows(none, push, 1);
+    }
+    record_shade(none);
+    record_light(none, push_for(none));
+    generations_ = {{0, 0, bool(w_.plan.ray_effects & kSpawns)}};
+    gather_and_film(nothing, image);
+    w_.recorder.submit_and_wait();
+}
+
 bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
     generations_ = {{0, tile.count(), false}};
     now_ = 0, next_ = tile.count();
@@ -336,7 +355,7 @@ bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
 
 // In halves, until the trees fit.
 void trace_tile(RayTracer& tracer, const RayWork& work, const RayFrame& frame, const Tile& tile, gpu::Image& image) {
-    const RayCounts before = tracer.counts;
+    const RayStatistics before = tracer.counts;
     if (TileTracer(tracer, work, frame).trace(tile, image)) return;
     tracer.counts = before;
     if (tile.count() == 1)
@@ -381,6 +400,10 @@ RayTracer make_ray_tracer(gpu::Device& device, const Scene& scene, const RasterG
     for (const gpu::Buffer* b : {&tracer.buffers.rays[0], &tracer.buffers.points, &tracer.buffers.tree, &tracer.buffers.visibility})
         if (*b && !b->as_texel()) tracer.scene.fetch_storage |= FETCH_RAYS;
     return tracer;
+}
+
+void warm_up(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image) {
+    TileTracer(tracer, work, frame).warm_up(image);
 }
 
 void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image) {

@@ -6,17 +6,13 @@
 #include "plan/complete.h"
 #include "render/gpu_scene.h"
 #include "render/ray_scene.h"
+#include "render/render.h"
 
 #include <array>
 #include <functional>
 #include <map>
 
 namespace lightbench {
-
-struct RayCounts {
-    std::uint64_t eye = 0, eye_hit = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
-    std::uint64_t nodes = 0, voxels = 0, triangles = 0, spheres = 0, boxes = 0, balls = 0, cones = 0, tori = 0;
-};
 
 // Buffers for the rays of a batch; `rays` and `media` are those of this generation and of the next.
 struct RayBuffers {
@@ -33,7 +29,7 @@ struct RayTracer {
     RayScene scene;
     RayBuffers buffers;
     std::map<std::pair<RayPass, std::uint32_t>, gpu::ComputePipeline> pipelines; // by RAY_... bits
-    RayCounts counts;
+    RayStatistics counts;
     std::uint32_t lights = 0; // of the scene
 };
 
@@ -58,6 +54,9 @@ struct RayWork {
     gpu::Timings& times;                  // appended
     std::function<void(double)> progress; // may be empty; the share of the frame that is done
 };
+
+// Dispatches every pipeline once without work: drivers compile at the first dispatch, which is not the time that tracing takes.
+void warm_up(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
 
 // Writes `image` (linear radiance, whole image). EnvironmentError if the tree of a single pixel does not fit.
 void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);

@@ -9,6 +9,7 @@
 #include "render/raytrace.h"
 #include "render/terms.h"
 #include "shared/effects.h"
+#include "shared/rays.h"
 
 #include <chrono>
 #include <cmath>
@@ -119,6 +120,7 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
 gpu::Image& record_rays(RendererState& s, const View& view) {
     s.tracer->counts = {};
     const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, {}};
+    warm_up(*s.tracer, work, {view, s.plan.crop}, s.targets.resolved);
     for (unsigned i = 0; i < s.plan.frames; ++i) {
         const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(s.plan.frames))));
         RayFrame frame{view, s.plan.crop, glm::vec2(0.5f), 0, i, s.environment.ambient, s.environment.background};
@@ -139,6 +141,11 @@ RenderOutput run_image(RendererState& s, const View& view) {
     const gpu::Timings last = s.recorder.submit_and_wait();
     add_times(out, s.times);
     add_times(out, last);
+    if (s.tracer) {
+        const AccelTables& accel = s.tracer->scene.accel;
+        out.accel = {accel.milliseconds, s.tracer->scene.structure_bytes, accel.node_count, accel.reference_count, accel.depth};
+        if (s.plan.ray_effects & RAY_COUNT) out.rays = s.tracer->counts;
+    }
     if (s.plan.runs("display")) {
         out.pixels = read_pixels(s.device, s.display, s.plan.crop);
         out.non_finite = read_census(s.device, s.display);

@@ -21,6 +21,19 @@ struct StepTime {
     double milliseconds = 0; // device; summed over the frames of one image
 };
 
+// Of --count: rays by kind, tests by primitive, nodes and voxels visited.
+struct RayStatistics {
+    std::uint64_t eye = 0, eye_hit = 0, shadow = 0, reflected = 0, refracted = 0, straight = 0;
+    std::uint64_t nodes = 0, voxels = 0, triangles = 0, spheres = 0, boxes = 0, balls = 0, cones = 0, tori = 0;
+};
+
+// What building the structure took.
+struct AccelStatistics {
+    double milliseconds = 0;
+    std::size_t bytes = 0, nodes = 0, references = 0;
+    std::uint32_t depth = 0;
+};
+
 struct RenderOutput {
     std::optional<Image8> pixels;   // Output::pixels; the crop
     std::optional<ImageF> radiance; // Output::radiance; the crop
@@ -28,7 +41,9 @@ struct RenderOutput {
     std::uint64_t non_finite = 0;   // pixels of the crop with a NaN or an infinity, counted before any clamp
     std::vector<StepTime> times;    // of the image; not of the layers
     double device_milliseconds = 0;
-    std::size_t triangles_drawn = 0; // after culling
+    std::size_t triangles_drawn = 0;   // after culling
+    std::optional<RayStatistics> rays; // with Request::count
+    std::optional<AccelStatistics> accel;
 };
 
 struct RenderOptions {
