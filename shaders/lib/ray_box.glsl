@@ -55,17 +55,18 @@ struct BoxRay {
     vec3 inverse;      // safe_inverse(d)
 };
 
-// The margin m = 32 u R makes every box larger by m on all sides, with R = extent + max |o| >= every |coordinate| of a vertex relative to o.
+// The margin m = 64 u R makes every box larger by m on all sides, with R = extent + max |o| >= every |coordinate| of a vertex relative to o.
 // No box is missed that holds a shape which one of these functions hits, or that the ray only touches:
-//   ray_triangle  decides exactly about vertices that are off by 2 u |x| + 8 u |z|: 10 u R
+//   ray_triangle  decides about vertices that are off by 2 u |x| + 4 u |z|, and by u of products beside an edge: 8 u R
 //   ray_sphere    takes the line for another one within 8 u |c - o| <= 14 u R; the point at its t is on a sphere no farther off
 //   box           made of rounded sums like c - r: u R
 //   o -+ m        u R
 //   slab          a difference u, a quotient 5 u (Vulkan's 2.5 ulp), a product u: of a plane's distance, 7 u R
-// together 24 u R. The first two speak of the ray's line; t of a triangle is a mean of its vertices' t, as is that of the box's planes.
+// together 23 u R; the rest is for t of triangles, 24 u R where four times the sum of the edge functions is above their products. t of a
+// thinner one may be earlier than its box: where another surface lies between the two, it may be found first.
 //   d       unit; extent  largest |coordinate| of the boxes
 BoxRay box_ray(vec3 o, vec3 d, float extent) {
-    float margin = 32.0 * kRoundoff * (extent + max(abs(o.x), max(abs(o.y), abs(o.z))));
+    float margin = 64.0 * kRoundoff * (extent + max(abs(o.x), max(abs(o.y), abs(o.z))));
     return BoxRay(o - margin, o + margin, safe_inverse(d));
 }
 

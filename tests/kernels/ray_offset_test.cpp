@@ -111,7 +111,7 @@ void expect_left(gpu::Device& device, const std::string& kernel, std::size_t ari
             std::size_t hit = 0, grazing = 0;
             for (std::size_t k = 0; k < in.count(); ++k) {
                 hit += run.result(k)[0] < kFloatMax;
-                grazing += results > 2 && run.result(k)[2] < kGrazing;
+                grazing += run.result(k)[0] < kFloatMax && results > 2 && run.result(k)[2] < kGrazing;
             }
             EXPECT_GT(hit, in.count() / 4);
             EXPECT_LT(grazing, in.count() / 10000);
@@ -164,7 +164,8 @@ TEST_F(Kernel, SpheresAreLeft) {
 TEST_F(Kernel, TrianglesAreLeft) {
     expect_left(device, "leave_triangle", 27, 2, [](Random& random, std::span<float> in, const Placement& p) {
         const double a = uniform(random, 0, 1), b = uniform(random, 0, 1 - a);
-        const Vec3 v0 = placed(p, {-1, -1, 0.3}), v1 = placed(p, {1, -0.8, -1}), v2 = placed(p, {0.2, 1, 0.4});
+        const Vec3 v0 = placed(p, {-1, -1, 0.3}), v1 = placed(p, {1, -0.8, -1});
+        const Vec3 v2 = v0 + uniform(random, 0, 1) * (v1 - v0) + (p.size * log_uniform(random, 1e-4, 1)) * random_direction(random);
         put(in, 0, p.center + (p.size * log_uniform(random, 1, 100)) * random_direction(random));
         put(in, 3, unit(v0 + a * (v1 - v0) + b * (v2 - v0) - vec_of(in, 0)));
         put(in, 6, v0);

@@ -85,8 +85,8 @@ TEST_F(Kernel, RaySphere) {
         expect_within(run, constant(0), Bound::absolute(1), off_sphere(1, 7, false));
         expect_within(run, constant(1), Bound::absolute(6 * kU),
                       [](std::span<const float>, std::span<const float> out) { return out[0] < kFloatMax ? length(vec_of(out, 4)) : 1; });
-        expect_within(run, constant(0), Bound::absolute(1), [](std::span<const float> in, std::span<const float> out) {
-            const double scale = largest(vec_of(in, 6)) + static_cast<double>(in[9]);
+        expect_within(run, constant(0), Bound::absolute(1), [](std::span<const float> ray, std::span<const float> out) {
+            const double scale = largest(vec_of(ray, 6)) + static_cast<double>(ray[9]);
             return out[0] < kFloatMax ? largest(vec_of(out, 7)) / (12 * kU * scale) : 0; // the error is no excuse
         });
     }
@@ -104,13 +104,29 @@ TEST_F(Kernel, RaySphereFarAway) {
     }
 }
 
-// SP-2: a ground of radius 10^6 to 10^9 whose top is at the origin, the camera about 1 above: straight down the height is exact.
-TEST_F(Kernel, RaySphereHuge) {
-    Inputs in{11, {}};
-    for (float r : {1e6f, 4e6f, 1e9f})
-        for (float height : {r > 4e6f ? 64.0f : 1.0f, r > 4e6f ? 640.0f : 2.5f})
-            in.values.insert(in.values.end(), {0, height, 0, 0, -1, 0, 0, -r, 0, r, 0});
-    expect_within(run_kernel(device, "ray_sphere", in, 10), oracle([](auto x) { return x[1]; }), Bound::relative(1e-6));
+// SP-2: a ground of radius 10^3 to 10^9, the camera about 1 above its top; rays straight down, and others.
+TEST_F(Kernel, NearSphere) {
+    const Inputs in = generate(kMillion, 10, 1, [](Random& random, std::span<float> ray) {
+        const double r = log_uniform(random, 1e3, 1e9), height = log_uniform(random, 1e-6, 3e-3) * r;
+        const Vec3 up = random() % 4 ? random_direction(random) : Vec3{0, 1, 0};
+        put(ray, 0, random_in_cube(random, 1));
+        ray[9] = static_cast<float>(r);
+        put(ray, 6, vec_of(ray, 0) - (static_cast<double>(ray[9]) + height) * up);
+        put(ray, 3, unit(Vec3{0, 0, 0} - up + uniform(random, 0, 1) * random_direction(random)));
+    });
+    const auto with_after = []<class T>(std::span<const T> x) {
+        std::vector<T> all(x.begin(), x.end());
+        all.push_back(T(0));
+        return all;
+    };
+    const Oracle t = oracle([=]<class T>(std::span<const T> x) { return first_after(std::span<const T>(with_after(x))); });
+    const Bound bound = Bound::function([=](std::span<const float> x, double expected) {
+        const std::vector<double> ray(x.begin(), x.end());
+        const Roots<double> r = roots(std::span<const double>(ray));
+        const double cosine = r.root / ray[9];
+        return r.t0 > 0 && expected < 0.1 * ray[9] ? 8 * kU * expected / (cosine * cosine) : 1e300;
+    });
+    expect_within(run_kernel(device, "near_sphere", in, 1), t, bound);
 }
 
 // SP-3: centre, surface, zero directions, directions of NaN and infinity (PR-1).

@@ -1,8 +1,8 @@
-// (o, d, v0, v1, v2) -> t of the triangle, entry into its box up to that t
+// (o, d, v0, v1, v2) -> t of the triangle, entry into its box up to that t, and up to anywhere
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 15
-#define KERNEL_RESULTS 2
+#define KERNEL_RESULTS 3
 #include "kernel.glsl"
 #include "lib/ray_box.glsl"
 #include "lib/ray_triangle.glsl"
@@ -13,5 +13,7 @@ void kernel() {
     vec2 b;
     float t = ray_triangle(shear_of(d), o, v0, v1, v2, 0.0, b);
     result(0, t);
-    result(1, slab(box_ray(o, d, max(m.x, max(m.y, m.z))), lo, hi, t));
+    BoxRay ray = box_ray(o, d, max(m.x, max(m.y, m.z)));
+    result(1, slab(ray, lo, hi, t));
+    result(2, slab(ray, lo, hi, kNoHit));
 }

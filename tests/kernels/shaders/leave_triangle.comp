@@ -5,6 +5,7 @@
 #define KERNEL_RESULTS 2
 #include "kernel.glsl"
 #include "lib/ray_triangle.glsl"
+#include "lib/vector.glsl"
 
 void kernel() {
     vec3 o = argument3(0), v0 = argument3(6), v1 = argument3(9), v2 = argument3(12), error;
