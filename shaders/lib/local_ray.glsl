@@ -33,6 +33,7 @@ LocalRay local_ray(vec3 o, vec3 d, float reach) {
     return ray;
 }
 
-float t_of(LocalRay ray, float s) { return (ray.start + s) * ray.rate; }
+// What is too far for a float is no hit.
+float t_of(LocalRay ray, float s) { return min((ray.start + s) * ray.rate, kNoHit); }
 
 #endif

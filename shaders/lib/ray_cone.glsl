@@ -17,10 +17,22 @@ vec2 slab_interval(float z, float vz) {
     return along ? everywhere_if(abs(z) <= 1.0) : vec2(min(s.x, s.y), max(s.x, s.y));
 }
 
+// From q, which is near a root of the line, to the root itself. Near the apex, and along the mantle, a, b and c are small differences of
+// large numbers; those at q are as small as q is near.
+//   a        of the quadratic; half_gap  sqrt(b^2 - a c), the same at every point of a line, below 0 for the root where the line goes in
+//   returns 0 where the other root is so near that q may belong to either
+float mantle_correction(vec3 q, vec3 v, float mean, float slope, float a, float half_gap) {
+    float rho = mean + slope * q.z, r = length(q.xy);
+    float b = dot(q.xy, v.xy) - rho * (slope * v.z), c = (r - rho) * (r + rho);
+    float both = half_gap < 0.0 ? half_gap + min(b, 0.0) : half_gap + max(b, 0.0);
+    return 4.0 * abs(a * c) < half_gap * half_gap ? -c / both : 0.0;
+}
+
 // Where the line p + s v is inside the nappe x^2 + y^2 <= rho^2, rho = mean + slope z >= 0.
 // a s^2 + 2 b s + c <= 0 by the q-form (Press et al. 2007, "Numerical recipes", sec. 5.6), which has no large root where the line is parallel
 // to a generator, a = 0 (CO-2). Its discriminant b^2 - a c is, by Lagrange's identity for x^2 + y^2 - rho^2, |rho v - p rho'|^2 - |p x v|^2
-// in the xy plane: two distances from the line, each good to u, instead of two squares that cancel (CY-2).
+// in the xy plane: two distances from the line, each good to u, instead of two squares that cancel (CY-2). Along a generator it is the other
+// way round: a, b and c are good to u and small, the distances are not. Whichever is the smaller sum loses less.
 // a < 0: the line meets each nappe once, and is inside this one where rho grows (CO-1). a > 0: it meets one nappe, maybe the other one,
 // which ends where the slab begins. Lines along the axis of a cylinder have neither a nor b (CY-1): below 2^-40, the direction across the
 // axis moves nothing by u.
@@ -31,13 +43,16 @@ vec2 mantle_interval(vec3 p, vec3 v, float mean, float slope) {
     float a = (side - abs(growth)) * (side + abs(growth));
     a = a == 0.0 ? -7.8886091e-31 : a; // 2^-100: puts the second root where no slab is
     float b = dot(p.xy, v.xy) - rho * growth, c = (r - rho) * (r + rho);
-    float discriminant = (reach - across) * (reach + across);
+    float stretch = reach + across, discriminant = (reach - across) * stretch;
+    discriminant = 2.0 * abs(b) + abs(a) + abs(c) < stretch ? b * b - a * c : discriminant;
     float root = sqrt(max(discriminant, 0.0));
     float q = b < 0.0 ? root - b : -root - b;
     float s0 = q / a, s1 = q == 0.0 ? 0.0 : c / q;
     vec2 s = vec2(min(s0, s1), max(s0, s1));
     s = a < 0.0 ? (growth > 0.0 ? vec2(s.y, kNoHit) : vec2(-kNoHit, s.x)) : s;
     s = a > 0.0 && discriminant < 0.0 ? everywhere_if(false) : s;
+    if (abs(s.x) < 4.0) s.x += mantle_correction(p + s.x * v, v, mean, slope, a, -root);
+    if (abs(s.y) < 4.0) s.y += mantle_correction(p + s.y * v, v, mean, slope, a, root);
     return max(side, abs(growth)) < 9.0949470e-13 ? everywhere_if(c <= 0.0) : s;
 }
 
@@ -48,8 +63,8 @@ vec2 mantle_interval(vec3 p, vec3 v, float mean, float slope) {
 //   r0, r1   in [0, 1], the larger one 1
 //   capped   closed by its two discs; else the mantle alone, rims included
 //   part     of the hit; the mantle where both are hit at once
-// Error: the hit is that of a line within 16 u max(1, |o|) of the ray, and t that of a point within 16 u max(1, |o|) of the surface (kernel
-// tests RayCone, RayConeIsClosed).
+// Error: the surface would have to be moved by 12 u (1 + |o|) for o + t d to be on it, and for any other part of the ray to be on the other
+// side (kernel tests RayCone...); a cap and the mantle leave no gap at all (kernel test RayConeIsClosed).
 float ray_cone(vec3 o, vec3 d, float r0, float r1, bool capped, float after, out uint part) {
     LocalRay ray = local_ray(o, d, kConeReach);
     vec2 side = mantle_interval(ray.p, ray.v, 0.5 * (r0 + r1), 0.5 * (r1 - r0)), slab = slab_interval(ray.p.z, ray.v.z);
