@@ -57,9 +57,11 @@ TorusKnots torus_knots(TorusLine line, float low, float high) {
     k.minimum0 = clamp(-line.pv - sqrt(line.a), low, k.bend0);
     k.minimum1 = clamp(-line.pv + sqrt(line.a), k.bend1, high);
     for (int i = 0; i < kCriticalSteps; ++i) {
+        vec3 before = vec3(k.minimum0, k.maximum, k.minimum1);
         k.minimum0 = critical_step(line, k.minimum0, low, k.bend0, 1.0);
         k.maximum = critical_step(line, k.maximum, k.bend0, k.bend1, -1.0);
         k.minimum1 = critical_step(line, k.minimum1, k.bend1, high, 1.0);
+        if (all(lessThan(abs(vec3(k.minimum0, k.maximum, k.minimum1) - before), vec3(1e-5)))) break; // the next step would be its square
     }
     k.maximum = torus_slope(line, k.bend1).x > 0.0 ? k.bend1 : (torus_slope(line, k.bend0).x < 0.0 ? k.bend0 : k.maximum);
     return k;
@@ -67,7 +69,8 @@ TorusKnots torus_knots(TorusLine line, float low, float high) {
 
 // The root of g - m^2 between an extremum of g and a point on the other side of the surface, where g is monotonic and bends one way.
 // Newton's method from the root of the parabola at the extremum: at most one step leads away, to the side from which the others approach
-// without crossing. g - m^2 is taken as the product of distance and distance + 2 m, whose digits do not cancel (TO-1).
+// without crossing. g - m^2 is taken as the product of distance and distance + 2 m, whose digits do not cancel (TO-1). Where the line is all
+// but tangent, the distance is its own rounding before steps are short: below u (1 + m) the search ends, and its ends close in by signs.
 float torus_root(TorusLine line, float m, float extremum, float other) {
     float d = torus_distance(line, m, extremum), bend = abs(torus_slope(line, extremum).y);
     float guess = sqrt(abs(d * (d + 2.0 * m)) / max(bend, 1e-6));
@@ -79,9 +82,14 @@ float torus_root(TorusLine line, float m, float extremum, float other) {
         vec3 q = line.p + s * line.v;
         float r = length(q.xy), ring = length(vec2(r - 1.0, q.z)), f = ring - m;
         float slope = 2.0 * ((r - 1.0) * dot(q.xy, line.v.xy) / max(r, 1e-9) + q.z * line.v.z);
-        float next = f == 0.0 || slope == 0.0 ? s : clamp(s - f * (ring + m) / slope, low, high);
-        done = abs(next - s) <= least;
-        s = next;
+        float next = slope == 0.0 ? s : s - f * (ring + m) / slope;
+        bool beyond = (f <= 0.0) != (d <= 0.0);
+        other = beyond ? s : other;
+        extremum = beyond ? extremum : s;
+        low = min(extremum, other);
+        high = max(extremum, other);
+        done = abs(f) <= least || abs(next - s) <= least;
+        s = done ? s : clamp(next, low, high);
     }
     return s;
 }
@@ -103,12 +111,12 @@ TorusPiece torus_piece(TorusKnots k, int i) {
 
 // The smallest t > after at which o + t d is on the surface, else kNoHit.
 // Monotonic pieces hold one root or none, told by the signs at their ends: neither double roots (TO-2) nor a root at the start (TO-4) can
-// be lost or doubled by more than the rounding of the distance. Fewer than two roots are searched for: that of the piece with `after`, and
+// be lost or doubled by more than the rounding of the distance. At most two roots are searched for: that of the piece with `after`, and
 // the next one.
 //   o, d     as for local_ray
 //   m        in [0, 1e4]
-// Error: the hit is 8 u (1 + m) max(1, |o| / (1 + m)) from the surface, as far as o + t d says; a line this close to a tangent may hit or
-// miss (kernel tests RayTorus, RayTorusTangent).
+// Error: the surface would have to be moved by 6 u (1 + m + |o|) for o + t d to be on it, and for any other part of the ray to be on the
+// other side (kernel tests RayTorus...).
 float ray_torus(vec3 o, vec3 d, float m, float after) {
     LocalRay ray = local_ray(o, d, 1.0 + m);
     float pv = dot(ray.p, ray.v), across = ray.p.x * ray.v.y - ray.p.y * ray.v.x;

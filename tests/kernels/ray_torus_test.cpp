@@ -1,0 +1,203 @@
+// Rays and tori against samples of the distance in double: TO-1, TO-2, TO-3, TO-4.
+#include "kernel_test.h"
+#include "lines.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace lightbench::kernels {
+
+namespace {
+
+double distance_of(const Vector& p, double m) {
+    return std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) - m;
+}
+
+// How far a line gets beyond the surface, from side (1: outside, -1: inside) to the other one, for t in [from, to]: the distance is sampled,
+// and its peaks are searched by sections. It changes by no more than the length of the way.
+double crossing(const Line& line, double m, double side, double from, double to) {
+    constexpr int kSamples = 200;
+    const auto beyond = [&](double t) { return -side * distance_of(line.at(t), m); };
+    const double middle = line.nearest(), around = (1.01 + m) / length(line.d);
+    const double low = std::max(from, std::min(middle - around, to)), high = std::min(to, std::max(middle + around, from));
+    const double step = (high - low) / kSamples, way = step * length(line.d);
+    double most = std::max(beyond(low), beyond(high)), before = beyond(low), here = before;
+    for (int i = 1; i <= kSamples + 1 && step > 0; ++i) {
+        const double next = i <= kSamples ? beyond(low + step * i) : here;
+        if (here >= before && here >= next && here > most - way) {
+            const double t =
+                least_between(std::max(low, low + step * (i - 2)), std::min(high, low + step * i), [&](double x) { return -beyond(x); });
+            most = std::max(most, beyond(t));
+        }
+        before = here;
+        here = next;
+    }
+    return most;
+}
+
+// How far the surface would have to be moved for this t to be right. start: the distance at `after`.
+double off_torus(const Line& line, double m, double after, double start, double t) {
+    const double miss = t == kNoHit ? 0 : std::abs(distance_of(line.at(t), m));
+    const double outside = std::max(miss, crossing(line, m, 1, after, t)), inside = std::max(miss, crossing(line, m, -1, after, t));
+    if (t != kNoHit && !(t > after)) return 1 + m;
+    return start > 0 ? std::min(outside, std::max(inside, start)) : std::min(inside, std::max(outside, -start));
+}
+
+double off_result(std::span<const float> in, std::span<const float> out) {
+    const Line line = line_of(in);
+    const double m = static_cast<double>(in[6]), after = static_cast<double>(in[7]);
+    return off_torus(line, m, after, distance_of(line.at(after), m), static_cast<double>(out[0]));
+}
+
+const Bound kTorusBound =
+    Bound::function([](std::span<const float> in, double) { return 6 * kU * (1 + static_cast<double>(in[6]) + length(vector_at(in, 0))); });
+
+void expect_torus(const KernelRun& run) {
+    expect_within(run, constant(0), kTorusBound, off_result);
+}
+
+const Inputs kMinor = only({0.3f, 1e-4f, 0.05f, 0.9f, 1, 1.5f, 30});
+
+Inputs rays(std::size_t count, unsigned seed) {
+    return generate(count, 6, seed, [](Random& random, std::span<float> in) { fill_ray(random, in, 1.5); });
+}
+
+Inputs vec(const Inputs& x, const Inputs& y, const Inputs& z) {
+    return x * y * z;
+}
+
+// The same rays, each after the t that it had; without those that have missed.
+Inputs after_hits(const KernelRun& run) {
+    Inputs again{8, {}};
+    for (std::size_t i = 0; i < run.inputs.count(); ++i)
+        if (static_cast<double>(run.result(i)[0]) != kNoHit) {
+            again.values.insert(again.values.end(), run.inputs[i].begin(), run.inputs[i].begin() + 7);
+            again.values.push_back(run.result(i)[0]);
+        }
+    return again;
+}
+
+} // namespace
+
+TEST_F(Kernel, RayTorus) {
+    for (unsigned seed : seeds()) expect_torus(run_kernel(device, "ray_torus", rays(kMillion / 64, seed) * kMinor * only({0}), 1));
+}
+
+// All roots in turn: four at most.
+TEST_F(Kernel, RayTorusAfterHits) {
+    KernelRun run = run_kernel(device, "ray_torus", rays(kMillion / 64, 3) * kMinor * only({-1e9f}), 1);
+    for (int hit = 0; hit < 4; ++hit) {
+        const Inputs again = after_hits(run);
+        ASSERT_GT(again.count(), 100u);
+        run = run_kernel(device, "ray_torus", again, 1);
+        expect_torus(run);
+    }
+    EXPECT_EQ(after_hits(run).count(), 0u);
+}
+
+// TO-2: on the plane through the tube's top circle, in the plane of the ring, through the middle, tangent to the circles; a little aside.
+TEST_F(Kernel, RayTorusTangent) {
+    Inputs in{8, {}};
+    for (float m : {0.3f, 1e-3f, 0.75f, 1.0f, 1.5f}) {
+        const Inputs levels = near(m, 4) + near(0, 1) + near(-m, 2) + only({0.5f * m, 1e-7f});
+        const Inputs sides = near(1 - m, 3) + near(1 + m, 3) + near(1, 3) + only({0, 1e-7f, 1e-4f, 0.5f});
+        const Inputs along = vec(only({-3, -0.2f, 0}), sides, levels) * vec(only({1}), only({0, 1e-7f, 1e-3f}), only({0, -1e-8f, 1e-5f}));
+        const Inputs down =
+            vec(sides, only({0, 1e-7f, 0.3f}), only({4, 0})) * vec(only({0, 1e-9f, 1e-5f}), only({0, 1e-7f}), only({-1, 0.5f}));
+        in = in + (along + down) * only({m}) * only({0});
+    }
+    expect_torus(run_kernel(device, "ray_torus", in, 1));
+}
+
+// TO-2 again: tangent to the surface at any place, in any direction, moved by so little to either side.
+TEST_F(Kernel, RayTorusTouched) {
+    const Inputs in = generate(kMillion / 8, 8, 5, [](Random& random, std::span<float> values) {
+        const double m = log_uniform(random, 1e-3, 2), phi = uniform(random, 0, 7), theta = uniform(random, 0, 7);
+        const Vector ring = {std::cos(phi), std::sin(phi), 0}, off = plus(scaled(ring, std::cos(theta)), {0, 0, std::sin(theta)});
+        const Vector any = random_unit(random), p = plus(ring, off, m * (1 + log_uniform(random, 1e-8, 1e-2) * (any[0] < 0 ? -1 : 1)));
+        const Vector along = plus(any, off, -dot(any, off));
+        put(values.first(3), plus(p, along, -uniform(random, 0, 3) / length(along)));
+        put(values.subspan(3, 3), along);
+        values[6] = static_cast<float>(m);
+        values[7] = 0;
+    });
+    expect_torus(run_kernel(device, "ray_torus", in, 1));
+}
+
+// Near the axis the ring is a kink of the distance: through the hole, the horn's and the spindle's dimple.
+TEST_F(Kernel, RayTorusNearTheAxis) {
+    const Inputs in = generate(kMillion / 8, 8, 6, [](Random& random, std::span<float> values) {
+        const Vector target = plus({0, 0, uniform(random, -1, 1)}, random_unit(random), log_uniform(random, 1e-9, 1e-1));
+        put(values.first(3), scaled(random_unit(random), log_uniform(random, 1e-2, 10)));
+        put(values.subspan(3, 3), plus(target, vector_at(values, 0), -1));
+        values[6] = static_cast<float>(uniform(random, 0, 1) < 0.3 ? 1 : uniform(random, 0.9, 1.3));
+        values[7] = 0;
+    });
+    expect_torus(run_kernel(device, "ray_torus", in, 1));
+}
+
+// TO-3: no minor radius, and one beside which the ring is a point; nothing but a ray hits.
+TEST_F(Kernel, RayTorusOfAnything) {
+    const auto sane = [](std::span<const float>, std::span<const float> out) {
+        return out[0] > 0 && static_cast<double>(out[0]) <= kNoHit ? 0 : 1;
+    };
+    const Inputs minor = only({0, 1e-20f, 0.5f, 1e4f});
+    expect_within(run_kernel(device, "ray_torus", random_bits(kMillion / 4, 6, 1) * minor * only({0})), constant(0), Bound::exact(), sane);
+    expect_within(run_kernel(device, "ray_torus", rays(kMillion / 16, 2) * minor * only({0})), constant(0), Bound::exact(), sane);
+    const Inputs bad = only({kNaN, std::numeric_limits<float>::infinity()}), any = only({0, 1, -1e30f}) + bad;
+    const Inputs ray = vec(only({0}), only({0.5f}), only({1})), none = vec(only({0}), only({0.0f, -0.0f}), only({0}));
+    const Inputs in =
+        ray * vec(bad, any, any) + ray * vec(any, any, bad) + vec(bad, any, any) * ray + vec(any, bad, any) * ray + ray * none;
+    expect_within(run_kernel(device, "ray_torus", in * minor * only({0})), constant(kNoHit), Bound::exact());
+}
+
+// TO-3: beside a large minor radius the torus is a sphere.
+TEST_F(Kernel, RayTorusLikeASphere) {
+    const Inputs in = generate(kMillion / 16, 8, 8, [](Random& random, std::span<float> values) {
+        fill_ray(random, values, 0.8);
+        for (std::size_t i = 0; i < 6; ++i) values[i] *= 1e4f;
+        values[6] = 1e4f;
+        values[7] = 0;
+    });
+    expect_torus(run_kernel(device, "ray_torus", in, 1));
+}
+
+TEST_F(Kernel, TorusPoint) {
+    const Inputs points = generate(
+        kMillion / 4, 3, 1, [](Random& random, std::span<float> p) { put(p, scaled(random_unit(random), log_uniform(random, 1e-3, 3))); });
+    const Inputs axis = vec(only({0, 1e-30f, 1e-8f, 1}), only({0, -1e-30f}), only({-1, 0.01f, 2}));
+    const KernelRun run = run_kernel(device, "torus_point", (points + axis) * kMinor, 6);
+    const auto minor = [](std::span<const float> in) { return static_cast<double>(in[3]); };
+    expect_within(run, constant(0), Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)); }),
+                  [=](std::span<const float> in, std::span<const float> out) { return distance_of(vector_at(out, 0), minor(in)); });
+    const Bound aim = Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)) / minor(in); });
+    expect_within(run, constant(0), aim, [=](std::span<const float>, std::span<const float> out) {
+        const Vector p = vector_at(out, 0), n = vector_at(out, 3);
+        const double r = std::hypot(p[0], p[1]);
+        if (r == 0) return length(plus(n, {0, 0, p[2] < 0 ? -1.0 : 1.0}, -1));
+        const Vector off = {p[0] - p[0] / r, p[1] - p[1] / r, p[2]};
+        return length(plus(n, off, -1 / length(off)));
+    });
+}
+
+// TO-4: from where a ray has hit, lifted off, away from the surface: never the place itself, but whatever else the torus has in the way.
+TEST_F(Kernel, RayTorusLeaves) {
+    const Inputs in = generate(kMillion / 4, 12, 9, [](Random& random, std::span<float> values) {
+        fill_ray(random, values, 1.2);
+        const double m = uniform(random, 0, 1) < 0.5 ? 0.3 : log_uniform(random, 1e-3, 2);
+        values[6] = static_cast<float>(m);
+        put(values.subspan(7, 3), random_unit(random));
+        values[10] = static_cast<float>(5 * kU * (1 + m));
+        values[11] = static_cast<float>(1 - std::pow(uniform(random, 0, 1), 8)); // half of all nearly tangent
+    });
+    const KernelRun run = run_kernel(device, "torus_respawn", in, 8);
+    const Bound bound =
+        Bound::function([](std::span<const float> values, double) { return 4 * kU * (1 + static_cast<double>(values[6])); });
+    expect_within(run, constant(0), bound, [](std::span<const float> values, std::span<const float> out) {
+        const double m = static_cast<double>(values[6]);
+        if (static_cast<double>(out[0]) == kNoHit) return 0.0;
+        return off_torus({vector_at(out, 1), vector_at(out, 4)}, m, 0, 1, static_cast<double>(out[7])); // 1: outside beyond doubt
+    });
+}
+
+} // namespace lightbench::kernels
