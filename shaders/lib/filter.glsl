@@ -9,7 +9,7 @@
 //   radius   > 0
 //   sigma    standard deviation, in [1e-3, 1e3] of the radius
 //   returns exp(-r^2/(2 sigma^2)) - exp(-radius^2/(2 sigma^2)), r = |offset|; never below 0, 0 from radius on
-// Error: absolute 8 u (kernel test FilterGaussian).
+// Error: absolute 4 u (kernel test FilterGaussian).
 float filter_gaussian(vec2 offset, float radius, float sigma) {
     float r2 = dot(offset, offset), end2 = radius * radius, width = 2.0 * (sigma * sigma);
     float weight = exp_negative(-r2 / width) - exp_negative(-end2 / width);

@@ -11,7 +11,7 @@ vec3 unit_again(vec3 d) { return d + d * (0.5 * (1.0 - dot(d, d))); }
 // The direction i after a mirror, i - 2 (i.n) n.
 //   i        unit to 4 u, towards the surface
 //   n        either side, of any length in [1e-15, 1e18] (EN-3)
-// Error: | |d| - 1 | <= 4 u, 12 u from the mirror direction (kernel test MirrorDirection).
+// Error: | |d| - 1 | <= 4 u, 8 u from the mirror direction (kernel test MirrorDirection).
 vec3 mirror_direction(vec3 i, vec3 n) { return unit_again(reflected(n, -i)); }
 
 // The direction i after a refracting surface; false where all is reflected.
@@ -22,8 +22,8 @@ vec3 mirror_direction(vec3 i, vec3 n) { return unit_again(reflected(n, -i)); }
 //   n        unit to 6 u, on the side of i: c >= 0, less is taken as 0
 //   eta      index of refraction, transmitted over incident side, in [1e-9, 1e9]; 1 gives i itself
 //   t        where false: 0
-// Error: | |t| - 1 | <= 4 u; 16 u / cos(angle to -n) from the refracted direction for n unit to 2 u, times 1/eta for eta < 1
-// (kernel test RefractedDirection).
+// Error: | |t| - 1 | <= 4 u; 4 u / cos(angle to -n) from the refracted direction for n unit to 2 u, 8 u / (eta cos) for eta < 1
+// (kernel tests RefractedDirection, TotalReflection).
 bool refracted_direction(vec3 i, vec3 n, float eta, out vec3 t) {
     float c = -dot(i, n);
     c = c < 0.0 ? 0.0 : c;

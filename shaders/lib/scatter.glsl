@@ -13,7 +13,7 @@
 //   slope    rms slope m, in [0, 1e3]; 0 gives n itself
 //   xi       two uniform numbers in [0, 1)
 //   returns a unit vector with n.h > 0
-// Error: | |h| - 1 | <= 6 u, absolute 24 u (kernel test ScatteredNormal).
+// Error: | |h| - 1 | <= 6 u, absolute 8 u (kernel test ScatteredNormal).
 vec3 scattered_normal(vec3 n, float slope, vec2 xi) {
     float tangent = slope * sqrt(-log_one_minus(xi.x));
     vec2 azimuth = sine_cosine(xi.y);

@@ -1,0 +1,153 @@
+// Mirrored and refracted directions against Snell's law in double and 60 digits: RF-1, RF-2, RF-3, RT-3, EN-3.
+#include "kernel_test.h"
+#include "lines.h"
+
+#include <numbers>
+
+namespace lightbench::kernels {
+
+namespace {
+
+double off_unit(std::span<const float>, std::span<const float> out) {
+    return length(vector_at(out, 0)) - 1;
+}
+
+Vector unit(const Vector& v) {
+    return scaled(v, 1 / length(v));
+}
+
+// i and n of the plane xz or any other, unit; the angle between -i and n.
+void fill_incidence(Random& random, std::span<float> in, double angle) {
+    const Vector n = random_unit(random), any = random_unit(random), along = unit(plus(any, n, -dot(n, any)));
+    put(in.first(3), plus(scaled(along, std::sin(angle)), n, -std::cos(angle)));
+    put(in.subspan(3, 3), n);
+}
+
+// The refracted direction by angles: sin(b) = sin(a) / eta, b from -n towards the side where i goes; nothing beyond the critical angle.
+// cos(a) comes from the vectors as they are, which are unit to a rounding.
+Vector snell(std::span<const float> in) {
+    const Vector i = unit(vector_at(in, 0)), n = unit(vector_at(in, 3));
+    const Vector along = plus(i, n, -dot(i, n));
+    const double sine = length(along), b = std::asin(sine / static_cast<double>(in[6]));
+    return plus(scaled(along, sine > 0 ? std::sin(b) / sine : 0), n, -std::cos(b));
+}
+
+double refracted_sine(std::span<const float> in) {
+    const Vector i = unit(vector_at(in, 0)), n = unit(vector_at(in, 3));
+    return length(plus(i, n, -dot(i, n))) / static_cast<double>(in[6]);
+}
+
+double off_snell(std::span<const float> in, std::span<const float> out) {
+    return length(plus(vector_at(out, 0), snell(in), -1));
+}
+
+const Bound kSnellBound = Bound::function([](std::span<const float> in, double) {
+    const double sine = refracted_sine(in), thin = std::max(1.0, 1 / static_cast<double>(in[6]));
+    return (thin > 1 ? 8 : 4) * kU * thin / std::sqrt((1 - sine) * (1 + sine));
+});
+
+Inputs vec(float x, float y, float z) {
+    return only({x}) * only({y}) * only({z});
+}
+
+} // namespace
+
+TEST_F(Kernel, MirrorDirection) {
+    for (unsigned seed : seeds()) {
+        const Inputs in = generate(kMillion, 6, seed, [](Random& random, std::span<float> values) {
+            put(values.first(3), random_unit(random));
+            put(values.subspan(3, 3), scaled(random_unit(random), log_uniform(random, 1e-15, 1e15)));
+        });
+        const KernelRun run = run_kernel(device, "mirror_direction", in, 3);
+        expect_within(run, constant(0), Bound::absolute(4 * kU), off_unit);
+        expect_within(run, constant(0), Bound::absolute(8 * kU), [](std::span<const float> values, std::span<const float> out) {
+            const Vector i = vector_at(values, 0), n = unit(vector_at(values, 3));
+            return length(plus(vector_at(out, 0), plus(i, n, -2 * dot(i, n)), -1));
+        });
+    }
+}
+
+// RT-3.
+TEST_F(Kernel, CornerCube) {
+    const Inputs in = generate(kMillion / 8, 3, 1, [](Random& random, std::span<float> i) { put(i, random_unit(random)); });
+    expect_within(run_kernel(device, "corner_cube", in, 3), constant(0), Bound::absolute(1e-6),
+                  [](std::span<const float> i, std::span<const float> out) { return length(plus(vector_at(out, 0), vector_at(i, 0))); });
+}
+
+// RF-3: unit after a thousand surfaces.
+TEST_F(Kernel, DirectionsStayUnit) {
+    const Inputs mirrors = generate(1u << 14, 12, 1, [](Random& random, std::span<float> values) {
+        for (std::size_t i = 0; i < 12; i += 3) put(values.subspan(i, 3), random_unit(random));
+    });
+    expect_within(run_kernel(device, "mirror_drift", mirrors, 3), constant(0), Bound::absolute(4 * kU), off_unit);
+    const Inputs panes = generate(1u << 14, 7, 2, [](Random& random, std::span<float> values) {
+        fill_incidence(random, values, uniform(random, 0, 1.5));
+        values[6] = static_cast<float>(uniform(random, 1, 2.4));
+    });
+    const KernelRun run = run_kernel(device, "refracted_drift", panes, 3);
+    expect_within(run, constant(0), Bound::absolute(4 * kU), off_unit);
+}
+
+// RF-1: from normal incidence to grazing, into dense and thin media and into all but the same one.
+TEST_F(Kernel, RefractedDirection) {
+    for (unsigned seed : seeds()) {
+        const Inputs in = generate(kMillion, 7, seed, [](Random& random, std::span<float> values) {
+            const bool thin = uniform(random, 0, 1) < 0.3;
+            const double eta = thin ? uniform(random, 0.3, 1) : 1 + log_uniform(random, 1e-6, 10);
+            const double most = thin ? 0.999 * std::asin(eta) : 0.4999 * std::numbers::pi; // inside the critical angle
+            fill_incidence(random, values, uniform(random, 0, 1) < 0.3 ? log_uniform(random, 1e-8, most) : uniform(random, 0, most));
+            values[6] = static_cast<float>(eta);
+        });
+        const KernelRun run = run_kernel(device, "refracted_direction", in, 4);
+        expect_within(run, constant(0), Bound::absolute(4 * kU), off_unit);
+        expect_within(run, constant(0), kSnellBound, off_snell);
+        expect_within(run, constant(1), Bound::exact(), component(3));
+    }
+}
+
+// From air into glass at 30 degrees the ray bends by 10.53 degrees; straight in, not at all; eta = 1 gives i to the last bit.
+TEST_F(Kernel, RefractedAnchors) {
+    const KernelRun glass = run_kernel(device, "refracted_direction", vec(0.5f, 0, -0.8660254f) * vec(0, 0, 1) * only({1.5f}), 4);
+    const double bent = 30 - std::asin(static_cast<double>(glass.result(0)[0])) * 180 / std::numbers::pi;
+    EXPECT_NEAR(bent, 30 - std::asin(1.0 / 3) * 180 / std::numbers::pi, 1e-5);
+    EXPECT_NEAR(bent, 10.53, 0.005);
+    const KernelRun straight = run_kernel(device, "refracted_direction", vec(0, 0, -1) * vec(0, 0, 1) * only({0.5f, 1, 1.5f, 1e6f}), 4);
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(straight.result(i)[2], -1.0f);
+    const Inputs same = generate(kMillion / 16, 7, 1, [](Random& random, std::span<float> values) {
+        fill_incidence(random, values, uniform(random, 0, 0.5 * std::numbers::pi));
+        values[6] = 1;
+    });
+    expect_within(
+        run_kernel(device, "refracted_direction", same + vec(1, 0, 0) * vec(0, 0, 1) * only({1}), 4), constant(0), Bound::exact(),
+        [](std::span<const float> in, std::span<const float> out) { return length(plus(vector_at(out, 0), vector_at(in, 0), -1)); });
+}
+
+// RF-2: at the critical angle the answer is that of exact arithmetic. i = (s, 0, -c), n = z: the cosine is c itself.
+TEST_F(Kernel, TotalReflection) {
+    Inputs in{7, {}};
+    for (float eta : {0.3f, 0.5f, 0.66666667f, 0.75f, 0.9f, 0.99f, 0.9999f, 0.99999994f}) {
+        const double wide = static_cast<double>(eta);
+        const float critical = static_cast<float>(std::sqrt((1 - wide) * (1 + wide)));
+        for (float c : near(critical, 8).values) {
+            const float s = static_cast<float>(std::sqrt((1 - static_cast<double>(c)) * (1 + static_cast<double>(c))));
+            in.values.insert(in.values.end(), {s, 0, -c, 0, 0, 1, eta});
+        }
+    }
+    const KernelRun run = run_kernel(device, "refracted_direction", in, 4);
+    const auto passes = [](std::span<const float> values) {
+        const Precise c = values[2], eta = values[6];
+        return eta * eta + c * c > 1 ? 1.0 : 0.0;
+    };
+    expect_within(run, {passes, passes}, Bound::exact(), component(3));
+    const Inputs beyond = generate(kMillion / 16, 7, 1, [](Random& random, std::span<float> values) {
+        const double eta = uniform(random, 0.1, 0.99);
+        fill_incidence(random, values, uniform(random, std::asin(eta) * 1.0001 + 1e-6, 0.5 * std::numbers::pi));
+        values[6] = static_cast<float>(eta);
+    });
+    const KernelRun total = run_kernel(device, "refracted_direction", beyond, 4);
+    expect_within(total, constant(0), Bound::exact(), component(3));
+    expect_within(total, constant(0), Bound::exact(),
+                  [](std::span<const float>, std::span<const float> out) { return length(vector_at(out, 0)); });
+}
+
+} // namespace lightbench::kernels
