@@ -29,7 +29,7 @@ float mantle_correction(vec3 q, vec3 v, float mean, float slope, float a, float 
 }
 
 // Where the line p + s v is inside the nappe x^2 + y^2 <= rho^2, rho = mean + slope z >= 0.
-// a s^2 + 2 b s + c <= 0 by the q-form (Press et al. 2007, "Numerical recipes", sec. 5.6), which has no large root where the line is parallel
+// a s^2 + 2 b s + c <= 0 by the q-form (Press et al. 2007, "Numerical recipes", sec. 5.6), whose smaller root stays where the line is parallel
 // to a generator, a = 0 (CO-2). Its discriminant b^2 - a c is, by Lagrange's identity for x^2 + y^2 - rho^2, |rho v - p rho'|^2 - |p x v|^2
 // in the xy plane: two distances from the line, each good to u, instead of two squares that cancel (CY-2). Along a generator it is the other
 // way round: a, b and c are good to u and small, the distances are not. Whichever is the smaller sum loses less.

@@ -11,9 +11,9 @@ namespace {
 // How far a point is outside of the mantle and of the slab; both grow as convex functions along any line.
 struct Cone {
     double mean, slope;
-    double mantle(const Vector& p) const { return (std::hypot(p[0], p[1]) - (mean + slope * p[2])) / std::hypot(1.0, slope); }
-    double slab(const Vector& p) const { return std::abs(p[2]) - 1; }
-    double outside(const Vector& p) const { return std::max(mantle(p), slab(p)); }
+    double mantle(const Vec3& p) const { return (std::hypot(p.x, p.y) - (mean + slope * p.z)) / std::hypot(1.0, slope); }
+    double slab(const Vec3& p) const { return std::abs(p.z) - 1; }
+    double outside(const Vec3& p) const { return std::max(mantle(p), slab(p)); }
 };
 
 Cone cone_of(float r0, float r1) {
@@ -37,9 +37,9 @@ Passage passage(const Line& line, const Cone& cone) {
 }
 
 // How far a point is from a part of the surface.
-double off_part(const Cone& cone, const Vector& p, double part) {
+double off_part(const Cone& cone, const Vec3& p, double part) {
     if (part == 0) return std::max(std::abs(cone.mantle(p)), cone.slab(p));
-    return std::max(std::abs(p[2] - (part == 1 ? -1 : 1)), cone.mantle(p));
+    return std::max(std::abs(p.z - (part == 1 ? -1 : 1)), cone.mantle(p));
 }
 
 // How far the surface would have to be moved for this answer to be right. Arguments as those of the kernel ray_cone.
@@ -60,7 +60,7 @@ double off_cone(std::span<const float> in, std::span<const float> out) {
     return std::max(off_part(cone, line.at(t), static_cast<double>(out[1])), t < way.deepest ? 0 : no_entry);
 }
 
-const Bound kConeBound = Bound::function([](std::span<const float> in, double) { return 12 * kU * (1 + length(vector_at(in, 0))); });
+const Bound kConeBound = Bound::function([](std::span<const float> in, double) { return 12 * kU * (1 + length(vec_of(in, 0))); });
 
 void expect_cone(const KernelRun& run) {
     expect_within(run, constant(0), kConeBound, off_cone);
@@ -81,10 +81,10 @@ Inputs aimed(const Inputs& starts, const Inputs& targets, unsigned seed) {
     for (std::size_t i = 0; i < starts.count(); ++i)
         for (std::size_t k = 0; k < targets.count(); ++k)
             for (double aside : {0.0, 1e-8, 1e-7, 1e-6, 1e-4}) {
-                const Vector o = vector_at(starts[i], 0), target = plus(vector_at(targets[k], 0), random_unit(random), aside);
+                const Vec3 o = vec_of(starts[i], 0), target = vec_of(targets[k], 0) + aside * random_direction(random);
                 std::array<float, 6> ray{};
-                put(std::span(ray).first(3), o);
-                put(std::span(ray).last(3), plus(target, o, -1));
+                put(ray, 0, o);
+                put(ray, 3, target - o);
                 in.values.insert(in.values.end(), ray.begin(), ray.end());
             }
     return in;
@@ -148,12 +148,12 @@ TEST_F(Kernel, RayConeIsClosed) {
     const Inputs in = generate(kMillion, 10, 5, [](Random& random, std::span<float> values) {
         const double r0 = uniform(random, 0, 1), phi = uniform(random, 0, 7), z = uniform(random, -0.9, 0.9);
         const double side = uniform(random, -1, 1) < 0 ? -1 : 1, radius = side < 0 ? r0 : 1;
-        const Vector o =
-            scaled({std::cos(3 * phi), std::sin(3 * phi), 0}, 0.9 * uniform(random, 0, 0.5 * (1 + r0) - 0.5 * (1 - r0) * std::abs(z)));
-        const Vector rim = {radius * std::cos(phi), radius * std::sin(phi), side};
-        const Vector target = uniform(random, 0, 1) < 0.8 ? rim : scaled(random_unit(random), 3);
-        put(values.first(3), plus(o, {0, 0, 1}, z));
-        put(values.subspan(3, 3), plus(target, vector_at(values, 0), -1));
+        const Vec3 o =
+            0.9 * uniform(random, 0, 0.5 * (1 + r0) - 0.5 * (1 - r0) * std::abs(z)) * Vec3{std::cos(3 * phi), std::sin(3 * phi), 0};
+        const Vec3 rim = {radius * std::cos(phi), radius * std::sin(phi), side};
+        const Vec3 target = uniform(random, 0, 1) < 0.8 ? rim : 3.0 * random_direction(random);
+        put(values, 0, o + z * Vec3{0, 0, 1});
+        put(values, 3, target - vec_of(values, 0));
         values[6] = static_cast<float>(r0);
         values[7] = 1;
         values[8] = 1;
@@ -179,19 +179,18 @@ TEST_F(Kernel, RayConeOfAnything) {
 }
 
 TEST_F(Kernel, ConePoint) {
-    const Inputs points = generate(
-        kMillion / 8, 3, 1, [](Random& random, std::span<float> p) { put(p, scaled(random_unit(random), log_uniform(random, 1e-3, 3))); });
+    const Inputs points = generate(kMillion / 8, 3, 1, [](Random& random, std::span<float> p) { put(p, 0, random_at(random, 1e-3, 3)); });
     const Inputs axis = vec(only({0, 1e-30f, 1e-8f}), only({0, -1e-30f}), only({-1.001f, -1, 0, 1, 1.001f}));
     const KernelRun run = run_kernel(device, "cone_point", (points + axis) * kRadii * only({0, 1, 2}), 6);
     expect_within(run, constant(0), Bound::absolute(4 * kU), [](std::span<const float> in, std::span<const float> out) {
-        return off_part(cone_of(in[3], in[4]), vector_at(out, 0), static_cast<double>(in[5]));
+        return off_part(cone_of(in[3], in[4]), vec_of(out, 0), static_cast<double>(in[5]));
     });
     expect_within(run, constant(0), Bound::absolute(8 * kU), [](std::span<const float> in, std::span<const float> out) {
-        const Vector p = vector_at(out, 0), n = vector_at(out, 3);
-        const double slope = cone_of(in[3], in[4]).slope, r = std::hypot(p[0], p[1]);
-        if (in[5] != 0.0f) return length(plus(n, {0, 0, in[5] == 1.0f ? -1.0 : 1.0}, -1));
-        if (r == 0) return length(plus(n, {0, 0, slope > 0 ? -1.0 : 1.0}, -1));
-        return length(plus(n, {p[0] / r, p[1] / r, -slope}, -1));
+        const Vec3 p = vec_of(out, 0), n = vec_of(out, 3);
+        const double slope = cone_of(in[3], in[4]).slope, r = std::hypot(p.x, p.y);
+        if (in[5] != 0.0f) return length(n - Vec3{0, 0, in[5] == 1.0f ? -1.0 : 1.0});
+        if (r == 0) return length(n - Vec3{0, 0, slope > 0 ? -1.0 : 1.0});
+        return length(n - Vec3{p.x / r, p.y / r, -slope});
     });
 }
 
@@ -199,7 +198,7 @@ constexpr float kLean[] = {0, 0.99f, 0.99999f, 1}; // shares of a direction alon
 
 // Convex: what leaves the surface never meets it again.
 TEST_F(Kernel, RayConeLeaves) {
-    const Inputs direction = generate(kMillion, 3, 9, [](Random& random, std::span<float> w) { put(w, random_unit(random)); });
+    const Inputs direction = generate(kMillion, 3, 9, [](Random& random, std::span<float> w) { put(w, 0, random_direction(random)); });
     Inputs in{13, {}};
     const Inputs from = rays(direction.count(), 11);
     for (std::size_t i = 0; i < direction.count(); ++i) {

@@ -9,8 +9,8 @@ namespace lightbench::kernels {
 
 namespace {
 
-double distance_of(const Vector& p, double m) {
-    return std::hypot(std::hypot(p[0], p[1]) - 1, p[2]) - m;
+double distance_of(const Vec3& p, double m) {
+    return std::hypot(std::hypot(p.x, p.y) - 1, p.z) - m;
 }
 
 // How far a line gets beyond the surface, from side (1: outside, -1: inside) to the other one, for t in [from, to]: the distance is sampled,
@@ -50,7 +50,7 @@ double off_result(std::span<const float> in, std::span<const float> out) {
 }
 
 const Bound kTorusBound =
-    Bound::function([](std::span<const float> in, double) { return 6 * kU * (1 + static_cast<double>(in[6]) + length(vector_at(in, 0))); });
+    Bound::function([](std::span<const float> in, double) { return 6 * kU * (1 + static_cast<double>(in[6]) + length(vec_of(in, 0))); });
 
 void expect_torus(const KernelRun& run) {
     expect_within(run, constant(0), kTorusBound, off_result);
@@ -113,11 +113,11 @@ TEST_F(Kernel, RayTorusTangent) {
 TEST_F(Kernel, RayTorusTouched) {
     const Inputs in = generate(kMillion / 8, 8, 5, [](Random& random, std::span<float> values) {
         const double m = log_uniform(random, 1e-3, 2), phi = uniform(random, 0, 7), theta = uniform(random, 0, 7);
-        const Vector ring = {std::cos(phi), std::sin(phi), 0}, off = plus(scaled(ring, std::cos(theta)), {0, 0, std::sin(theta)});
-        const Vector any = random_unit(random), p = plus(ring, off, m * (1 + log_uniform(random, 1e-8, 1e-2) * (any[0] < 0 ? -1 : 1)));
-        const Vector along = plus(any, off, -dot(any, off));
-        put(values.first(3), plus(p, along, -uniform(random, 0, 3) / length(along)));
-        put(values.subspan(3, 3), along);
+        const Vec3 ring = {std::cos(phi), std::sin(phi), 0}, off = std::cos(theta) * ring + Vec3{0, 0, std::sin(theta)};
+        const Vec3 any = random_direction(random), p = ring + m * (1 + log_uniform(random, 1e-8, 1e-2) * (any.x < 0 ? -1 : 1)) * off;
+        const Vec3 along = any - dot(any, off) * off;
+        put(values, 0, p - uniform(random, 0, 3) / length(along) * along);
+        put(values, 3, along);
         values[6] = static_cast<float>(m);
         values[7] = 0;
     });
@@ -127,9 +127,9 @@ TEST_F(Kernel, RayTorusTouched) {
 // Near the axis the ring is a kink of the distance: through the hole, the horn's and the spindle's dimple.
 TEST_F(Kernel, RayTorusNearTheAxis) {
     const Inputs in = generate(kMillion / 8, 8, 6, [](Random& random, std::span<float> values) {
-        const Vector target = plus({0, 0, uniform(random, -1, 1)}, random_unit(random), log_uniform(random, 1e-9, 1e-1));
-        put(values.first(3), scaled(random_unit(random), log_uniform(random, 1e-2, 10)));
-        put(values.subspan(3, 3), plus(target, vector_at(values, 0), -1));
+        const Vec3 target = Vec3{0, 0, uniform(random, -1, 1)} + random_at(random, 1e-9, 1e-1);
+        put(values, 0, random_at(random, 1e-2, 10));
+        put(values, 3, target - vec_of(values, 0));
         values[6] = static_cast<float>(uniform(random, 0, 1) < 0.3 ? 1 : uniform(random, 0.9, 1.3));
         values[7] = 0;
     });
@@ -163,20 +163,19 @@ TEST_F(Kernel, RayTorusLikeASphere) {
 }
 
 TEST_F(Kernel, TorusPoint) {
-    const Inputs points = generate(
-        kMillion / 4, 3, 1, [](Random& random, std::span<float> p) { put(p, scaled(random_unit(random), log_uniform(random, 1e-3, 3))); });
+    const Inputs points = generate(kMillion / 4, 3, 1, [](Random& random, std::span<float> p) { put(p, 0, random_at(random, 1e-3, 3)); });
     const Inputs axis = vec(only({0, 1e-30f, 1e-8f, 1}), only({0, -1e-30f}), only({-1, 0.01f, 2}));
     const KernelRun run = run_kernel(device, "torus_point", (points + axis) * kMinor, 6);
     const auto minor = [](std::span<const float> in) { return static_cast<double>(in[3]); };
     expect_within(run, constant(0), Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)); }),
-                  [=](std::span<const float> in, std::span<const float> out) { return distance_of(vector_at(out, 0), minor(in)); });
+                  [=](std::span<const float> in, std::span<const float> out) { return distance_of(vec_of(out, 0), minor(in)); });
     const Bound aim = Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)) / minor(in); });
     expect_within(run, constant(0), aim, [=](std::span<const float>, std::span<const float> out) {
-        const Vector p = vector_at(out, 0), n = vector_at(out, 3);
-        const double r = std::hypot(p[0], p[1]);
-        if (r == 0) return length(plus(n, {0, 0, p[2] < 0 ? -1.0 : 1.0}, -1));
-        const Vector off = {p[0] - p[0] / r, p[1] - p[1] / r, p[2]};
-        return length(plus(n, off, -1 / length(off)));
+        const Vec3 p = vec_of(out, 0), n = vec_of(out, 3);
+        const double r = std::hypot(p.x, p.y);
+        if (r == 0) return length(n - Vec3{0, 0, p.z < 0 ? -1.0 : 1.0});
+        const Vec3 off = {p.x - p.x / r, p.y - p.y / r, p.z};
+        return length(n + (-1 / length(off)) * off);
     });
 }
 
@@ -186,7 +185,7 @@ TEST_F(Kernel, RayTorusLeaves) {
         fill_ray(random, values, 1.2);
         const double m = uniform(random, 0, 1) < 0.5 ? 0.3 : log_uniform(random, 1e-3, 2);
         values[6] = static_cast<float>(m);
-        put(values.subspan(7, 3), random_unit(random));
+        put(values, 7, random_direction(random));
         values[10] = static_cast<float>(5 * kU * (1 + m));
         values[11] = static_cast<float>(1 - std::pow(uniform(random, 0, 1), 8)); // half of all nearly tangent
     });
@@ -196,7 +195,7 @@ TEST_F(Kernel, RayTorusLeaves) {
     expect_within(run, constant(0), bound, [](std::span<const float> values, std::span<const float> out) {
         const double m = static_cast<double>(values[6]);
         if (static_cast<double>(out[0]) == kNoHit) return 0.0;
-        return off_torus({vector_at(out, 1), vector_at(out, 4)}, m, 0, 1, static_cast<double>(out[7])); // 1: outside beyond doubt
+        return off_torus({vec_of(out, 1), vec_of(out, 4)}, m, 0, 1, static_cast<double>(out[7])); // 1: outside beyond doubt
     });
 }
 

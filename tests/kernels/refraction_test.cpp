@@ -9,36 +9,32 @@ namespace lightbench::kernels {
 namespace {
 
 double off_unit(std::span<const float>, std::span<const float> out) {
-    return length(vector_at(out, 0)) - 1;
-}
-
-Vector unit(const Vector& v) {
-    return scaled(v, 1 / length(v));
+    return length(vec_of(out, 0)) - 1;
 }
 
 // i and n of the plane xz or any other, unit; the angle between -i and n.
 void fill_incidence(Random& random, std::span<float> in, double angle) {
-    const Vector n = random_unit(random), any = random_unit(random), along = unit(plus(any, n, -dot(n, any)));
-    put(in.first(3), plus(scaled(along, std::sin(angle)), n, -std::cos(angle)));
-    put(in.subspan(3, 3), n);
+    const Vec3 n = random_direction(random), any = random_direction(random), along = unit(any - dot(n, any) * n);
+    put(in, 0, std::sin(angle) * along - std::cos(angle) * n);
+    put(in, 3, n);
 }
 
 // The refracted direction by angles: sin(b) = sin(a) / eta, b from -n towards the side where i goes; nothing beyond the critical angle.
-// cos(a) comes from the vectors as they are, which are unit to a rounding.
-Vector snell(std::span<const float> in) {
-    const Vector i = unit(vector_at(in, 0)), n = unit(vector_at(in, 3));
-    const Vector along = plus(i, n, -dot(i, n));
+// sin(a) is the length of what i is off n, both made unit again.
+Vec3 snell(std::span<const float> in) {
+    const Vec3 i = unit(vec_of(in, 0)), n = unit(vec_of(in, 3));
+    const Vec3 along = i - dot(i, n) * n;
     const double sine = length(along), b = std::asin(sine / static_cast<double>(in[6]));
-    return plus(scaled(along, sine > 0 ? std::sin(b) / sine : 0), n, -std::cos(b));
+    return (sine > 0 ? std::sin(b) / sine : 0) * along - std::cos(b) * n;
 }
 
 double refracted_sine(std::span<const float> in) {
-    const Vector i = unit(vector_at(in, 0)), n = unit(vector_at(in, 3));
-    return length(plus(i, n, -dot(i, n))) / static_cast<double>(in[6]);
+    const Vec3 i = unit(vec_of(in, 0)), n = unit(vec_of(in, 3));
+    return length(i - dot(i, n) * n) / static_cast<double>(in[6]);
 }
 
 double off_snell(std::span<const float> in, std::span<const float> out) {
-    return length(plus(vector_at(out, 0), snell(in), -1));
+    return length(vec_of(out, 0) - snell(in));
 }
 
 const Bound kSnellBound = Bound::function([](std::span<const float> in, double) {
@@ -55,29 +51,29 @@ Inputs vec(float x, float y, float z) {
 TEST_F(Kernel, MirrorDirection) {
     for (unsigned seed : seeds()) {
         const Inputs in = generate(kMillion, 6, seed, [](Random& random, std::span<float> values) {
-            put(values.first(3), random_unit(random));
-            put(values.subspan(3, 3), scaled(random_unit(random), log_uniform(random, 1e-15, 1e15)));
+            put(values, 0, random_direction(random));
+            put(values, 3, random_at(random, 1e-15, 1e15));
         });
         const KernelRun run = run_kernel(device, "mirror_direction", in, 3);
         expect_within(run, constant(0), Bound::absolute(4 * kU), off_unit);
         expect_within(run, constant(0), Bound::absolute(8 * kU), [](std::span<const float> values, std::span<const float> out) {
-            const Vector i = vector_at(values, 0), n = unit(vector_at(values, 3));
-            return length(plus(vector_at(out, 0), plus(i, n, -2 * dot(i, n)), -1));
+            const Vec3 i = vec_of(values, 0), n = unit(vec_of(values, 3));
+            return length(vec_of(out, 0) - (i + (-2 * dot(i, n)) * n));
         });
     }
 }
 
 // RT-3.
 TEST_F(Kernel, CornerCube) {
-    const Inputs in = generate(kMillion / 8, 3, 1, [](Random& random, std::span<float> i) { put(i, random_unit(random)); });
+    const Inputs in = generate(kMillion / 8, 3, 1, [](Random& random, std::span<float> i) { put(i, 0, random_direction(random)); });
     expect_within(run_kernel(device, "corner_cube", in, 3), constant(0), Bound::absolute(1e-6),
-                  [](std::span<const float> i, std::span<const float> out) { return length(plus(vector_at(out, 0), vector_at(i, 0))); });
+                  [](std::span<const float> i, std::span<const float> out) { return length(vec_of(out, 0) + vec_of(i, 0)); });
 }
 
 // RF-3: unit after a thousand surfaces.
 TEST_F(Kernel, DirectionsStayUnit) {
     const Inputs mirrors = generate(1u << 14, 12, 1, [](Random& random, std::span<float> values) {
-        for (std::size_t i = 0; i < 12; i += 3) put(values.subspan(i, 3), random_unit(random));
+        for (std::size_t i = 0; i < 12; i += 3) put(values, i, random_direction(random));
     });
     expect_within(run_kernel(device, "mirror_drift", mirrors, 3), constant(0), Bound::absolute(4 * kU), off_unit);
     const Inputs panes = generate(1u << 14, 7, 2, [](Random& random, std::span<float> values) {
@@ -117,9 +113,8 @@ TEST_F(Kernel, RefractedAnchors) {
         fill_incidence(random, values, uniform(random, 0, 0.5 * std::numbers::pi));
         values[6] = 1;
     });
-    expect_within(
-        run_kernel(device, "refracted_direction", same + vec(1, 0, 0) * vec(0, 0, 1) * only({1}), 4), constant(0), Bound::exact(),
-        [](std::span<const float> in, std::span<const float> out) { return length(plus(vector_at(out, 0), vector_at(in, 0), -1)); });
+    expect_within(run_kernel(device, "refracted_direction", same + vec(1, 0, 0) * vec(0, 0, 1) * only({1}), 4), constant(0), Bound::exact(),
+                  [](std::span<const float> in, std::span<const float> out) { return length(vec_of(out, 0) - vec_of(in, 0)); });
 }
 
 // RF-2: at the critical angle the answer is that of exact arithmetic. i = (s, 0, -c), n = z: the cosine is c itself.
@@ -147,7 +142,7 @@ TEST_F(Kernel, TotalReflection) {
     const KernelRun total = run_kernel(device, "refracted_direction", beyond, 4);
     expect_within(total, constant(0), Bound::exact(), component(3));
     expect_within(total, constant(0), Bound::exact(),
-                  [](std::span<const float>, std::span<const float> out) { return length(vector_at(out, 0)); });
+                  [](std::span<const float>, std::span<const float> out) { return length(vec_of(out, 0)); });
 }
 
 } // namespace lightbench::kernels

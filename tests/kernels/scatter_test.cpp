@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-void fill_facet(Random& random, std::span<float> in) {
-    put(in.first(3), random_unit(random));
+void fill_scatter(Random& random, std::span<float> in) {
+    put(in, 0, random_direction(random));
     in[3] = static_cast<float>(log_uniform(random, 1e-4, 3));
     in[4] = static_cast<float>(uniform(random, 0, 0.99999));
     in[5] = static_cast<float>(uniform(random, 0, 0.99999));
@@ -23,9 +23,8 @@ double expected_tangent(std::span<const float> in) {
 
 // Tangent of the angle between the facet and n.
 double tangent(std::span<const float> in, std::span<const float> out) {
-    const Vector n = vector_at(in, 0), h = vector_at(out, 0);
-    const Vector across = {n[1] * h[2] - n[2] * h[1], n[2] * h[0] - n[0] * h[2], n[0] * h[1] - n[1] * h[0]};
-    return length(across) / dot(n, h);
+    const Vec3 n = vec_of(in, 0), h = vec_of(out, 0);
+    return length(cross(n, h)) / dot(n, h);
 }
 
 double angle(std::span<const float> in, std::span<const float> out) {
@@ -36,9 +35,9 @@ double angle(std::span<const float> in, std::span<const float> out) {
 
 TEST_F(Kernel, ScatteredNormal) {
     for (unsigned seed : seeds()) {
-        const KernelRun run = run_kernel(device, "scattered_normal", generate(kMillion, 6, seed, fill_facet), 3);
+        const KernelRun run = run_kernel(device, "scattered_normal", generate(kMillion, 6, seed, fill_scatter), 3);
         expect_within(run, constant(1), Bound::absolute(6 * kU),
-                      [](std::span<const float>, std::span<const float> out) { return length(vector_at(out, 0)); });
+                      [](std::span<const float>, std::span<const float> out) { return length(vec_of(out, 0)); });
         const Oracle wanted = {[](auto in) { return std::atan(expected_tangent(in)); },
                                [](auto in) { return std::atan(expected_tangent(in)); }};
         expect_within(run, wanted, Bound::absolute(8 * kU), angle);
@@ -62,12 +61,11 @@ TEST_F(Kernel, ScatteredAzimuth) {
 
 TEST_F(Kernel, ScatteredBySlopeZero) {
     const Inputs in = generate(kMillion / 16, 6, 3, [](Random& random, std::span<float> values) {
-        fill_facet(random, values);
+        fill_scatter(random, values);
         values[3] = 0;
     });
-    expect_within(
-        run_kernel(device, "scattered_normal", in, 3), constant(0), Bound::exact(),
-        [](std::span<const float> n, std::span<const float> out) { return length(plus(vector_at(out, 0), vector_at(n, 0), -1)); });
+    expect_within(run_kernel(device, "scattered_normal", in, 3), constant(0), Bound::exact(),
+                  [](std::span<const float> n, std::span<const float> out) { return length(vec_of(out, 0) - vec_of(n, 0)); });
 }
 
 // The mean of tan^2 over all facets is slope^2, each of its two directions half of that: sums over a regular grid of xi.
@@ -79,10 +77,10 @@ TEST_F(Kernel, ScatteredSlopes) {
             run_kernel(device, "scattered_normal", only({0}) * only({0}) * only({1}) * only({slope}) * middles * middles, 3);
         double xx = 0, yy = 0, xy = 0;
         for (std::size_t i = 0; i < run.inputs.count(); ++i) {
-            const Vector h = vector_at(run.result(i), 0);
-            xx += h[0] / h[2] * (h[0] / h[2]);
-            yy += h[1] / h[2] * (h[1] / h[2]);
-            xy += h[0] / h[2] * (h[1] / h[2]);
+            const Vec3 h = vec_of(run.result(i), 0);
+            xx += h.x / h.z * (h.x / h.z);
+            yy += h.y / h.z * (h.y / h.z);
+            xy += h.x / h.z * (h.y / h.z);
         }
         const double n = static_cast<double>(run.inputs.count()), half = 0.5 * static_cast<double>(slope) * static_cast<double>(slope);
         EXPECT_NEAR(xx / n / half, 1, 2e-3) << slope; // the grid leaves out the far tail of -log(1 - xi)
