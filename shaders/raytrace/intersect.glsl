@@ -27,13 +27,13 @@ uint hit_number = 0u; // no hit: a miss, which is as far as the limit, must not 
 uint tested_triangles = 0u, tested_spheres = 0u, tested_boxes = 0u, tested_balls = 0u, tested_cones = 0u, tested_tori = 0u;
 uint count_nodes = 0u, count_voxels = 0u;
 
-// Boxes are larger by 32 u (R + max |o|), R = 2 the extent of every frame: lib/ray_box.glsl derives why no box is then missed that holds
+// Boxes are larger by 64 u (R + max |o|), R = 2 the extent of every frame: lib/ray_box.glsl derives why no box is then missed that holds
 // what a ray hits.
 void start_ray(Ray r) {
     ray.o = r.origin, ray.d = r.direction, ray.after = r.after, ray.after_number = r.after_number;
     ray.inv_d = safe_inverse(r.direction);
     vec3 size = abs(r.origin);
-    ray.slack = 1.9073486e-6 * (max(max(size.x, size.y), size.z) + 2.0);
+    ray.slack = 3.8146973e-6 * (max(max(size.x, size.y), size.z) + 2.0);
     if (wants_ray(RAY_TRIANGLES)) shear = shear_of(r.direction);
 }
 
