@@ -103,6 +103,19 @@ const uint kWideTexels = 8u;           // the last is not used: nodes lie on 128
 // BVH of spheres, two children a node: center and radius of each, then (reference, reference, 0, 0).
 const uint kSphereNodeTexels = 3u;
 
+// Grid of voxels, x fastest. Header: (origin, cells along x), (size of a cell, cells along y), (cells along z, first texel of references,
+// 0, 0). Then the cells, two a texel: (first reference, their number) each. Then references, four a texel: type << kRefType | index.
+const uint kGridHeaderTexels = 3u;
+
+// Octree. Its planes are origin + k * step, k from 0 to kOctreeSide; bit kOctreeDepth - 1 of a voxel's coordinates says which half of the
+// root it is in. Header: (origin, root), (step, first texel of leaves), (first texel of references, 0, 0, 0). Then the nodes: 8 children,
+// x | y << 1 | z << 2. A child, or the root: a node's index; kRefLeaf | index of a leaf; kNothing, an empty leaf. Leaves and references as
+// cells and references of the grid.
+const uint kOctreeHeaderTexels = 3u;
+const uint kOctreeNodeTexels = 2u;
+const uint kOctreeDepth = 20u;
+const uint kOctreeSide = 0x100000u;
+
 struct Ray {
     vec3 origin; float after;          // hits at t > after count; at t == after those of a number > after_number
     vec3 direction; uint after_number; // unit

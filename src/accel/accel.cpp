@@ -2,7 +2,9 @@
 #include "accel/accel.h"
 
 #include "accel/tables.h"
+#include "accel/voxels.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace lightbench {
@@ -45,13 +47,15 @@ void order_as(RayPrimitives& primitives, const std::vector<TreeItem>& items) {
 
 constexpr std::uint32_t kLeaf = 4; // primitives of a leaf at most, as a reference counts them
 
-void build_bvh(AccelTables& tables, RayPrimitives& primitives, const AccelRequest& request) {
+void build_tree_of(AccelTables& tables, RayPrimitives& primitives, const AccelRequest& request) {
     const std::uint32_t leaf = std::clamp(request.leaf == 0 ? kLeaf : request.leaf, 1u, kLeaf);
     const Tree tree = build_tree(items_of(primitives), leaf, request.threads);
-    add_wide(tables, tree);
-    add_narrow(tables, tree);
+    const bool boxes = request.accel == Accel::bvh;
+    if (boxes) add_wide(tables, tree);
+    if (boxes) add_narrow(tables, tree);
+    if (!boxes) add_spheres(tables, tree, spheres_of(primitives));
     order_as(primitives, tree.items);
-    tables.node_count = tables.nodes.size() / gpu_layout::kWideTexels;
+    tables.node_count = tables.nodes.size() / (boxes ? gpu_layout::kWideTexels : gpu_layout::kSphereNodeTexels);
     tables.reference_count = tree.items.size();
     tables.depth = tree.depth;
 }
@@ -66,7 +70,13 @@ AccelTables build_accel(RayPrimitives& primitives, const AccelRequest& request) 
     restore(primitives.shapes, shapes);
     AccelTables tables;
     tables.accel = request.accel;
-    if (request.accel == Accel::bvh) build_bvh(tables, primitives, request);
+    switch (request.accel) {
+    case Accel::none: tables.stack = 1; break;
+    case Accel::bvh:
+    case Accel::sphere_bvh: build_tree_of(tables, primitives, request); break;
+    case Accel::grid: build_grid(tables, primitives, request); break;
+    case Accel::octree: build_octree(tables, primitives, request); break;
+    }
     tables.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return tables;
 }

@@ -8,11 +8,11 @@ namespace {
 
 using namespace gpu_layout;
 
-// A structure must not lose a hit that the test of every primitive finds, and a tested ray is as far off as its roundings: of points within
+// kWalkError. A structure must not lose a hit that the test of every primitive finds, and a tested ray is as far off as its roundings: of points within
 // 6 units of its origin (rays start within 4 units of the frame's origin, the scene lies within 2), each by 2^-24 of that distance, and no
 // test makes more than 10 such roundings across the ray: 60 * 2^-24 < 2^-18. Of shapes, whose tests are made in their own space, roundings
 // of linear * (o - center) come back through `back`: times a row sum of |back| |linear|, which is at least 1.
-constexpr double kPad = 0x1p-18;
+// A walk over planes computes (origin + k * step - o) / d: four roundings.
 
 float below(double x) {
     const auto f = static_cast<float>(x);
@@ -29,13 +29,19 @@ FloatBox padded(const glm::dvec3& min, const glm::dvec3& max, const glm::dvec3& 
     return {{below(lo.x), below(lo.y), below(lo.z)}, {above(hi.x), above(hi.y), above(hi.z)}};
 }
 
+// `radius` about the rounded center, padded.
+glm::vec4 sphere_of(const glm::vec3& center, double radius) {
+    constexpr double kDiagonal = 1.7320508075688774; // of the cube that the padding of a point is
+    return {center, above((radius + kDiagonal * kWalkError) * (1 + 0x1p-50))};
+}
+
 FloatBox box_of(const RayTriangle& t) {
-    return padded(glm::min(t.v0, glm::min(t.v1, t.v2)), glm::max(t.v0, glm::max(t.v1, t.v2)), glm::dvec3(kPad));
+    return padded(glm::min(t.v0, glm::min(t.v1, t.v2)), glm::max(t.v0, glm::max(t.v1, t.v2)), glm::dvec3(kWalkError));
 }
 
 FloatBox box_of(const RaySphere& s) {
     const glm::dvec3 center(s.center);
-    return padded(center - double{s.radius}, center + double{s.radius}, glm::dvec3(kPad));
+    return padded(center - double{s.radius}, center + double{s.radius}, glm::dvec3(kWalkError));
 }
 
 struct Extent {
@@ -67,12 +73,39 @@ FloatBox box_of(const RayShape& s) {
         const Extent extent = extent_of(s, row);
         min[i] = center[i] - extent.below, max[i] = center[i] + extent.above;
         const glm::dvec3 through = glm::abs(linear[0]) + glm::abs(linear[1]) + glm::abs(linear[2]); // row sums of |linear|
-        pad[i] = kPad * glm::dot(glm::abs(row), through);
+        pad[i] = kWalkError * glm::dot(glm::abs(row), through);
     }
     return padded(min, max, pad);
 }
 
+// About the middle of its box.
+glm::vec4 sphere_of(const RayTriangle& t) {
+    const glm::vec3 center = 0.5f * glm::min(t.v0, glm::min(t.v1, t.v2)) + 0.5f * glm::max(t.v0, glm::max(t.v1, t.v2));
+    double radius = 0;
+    for (const glm::vec3& v : {t.v0, t.v1, t.v2}) radius = std::max(radius, glm::length(glm::dvec3(v) - glm::dvec3(center)));
+    return sphere_of(center, radius);
+}
+
+glm::vec4 sphere_of(const RaySphere& s) {
+    return sphere_of(s.center, s.radius);
+}
+
+glm::vec4 sphere_of(const RayShape& s) {
+    const FloatBox box = box_of(s);
+    const glm::vec3 center = 0.5f * box.min + 0.5f * box.max;
+    const glm::dvec3 c(center);
+    return sphere_of(center, glm::length(glm::max(glm::dvec3(box.max) - c, c - glm::dvec3(box.min))));
+}
+
 } // namespace
+
+std::vector<glm::vec4> spheres_of(const RayPrimitives& primitives) {
+    std::vector<glm::vec4> spheres(primitives.size());
+    for (const auto& triangle : primitives.triangles) spheres[triangle.number] = sphere_of(triangle);
+    for (const auto& sphere : primitives.spheres) spheres[sphere.number] = sphere_of(sphere);
+    for (const auto& shape : primitives.shapes) spheres[shape.number] = sphere_of(shape);
+    return spheres;
+}
 
 std::vector<FloatBox> boxes_of(const RayPrimitives& primitives) {
     std::vector<FloatBox> boxes(primitives.size());

@@ -1,6 +1,7 @@
 // The tree with two children a node and 16-bit planes (shaders/shared/rays.h: kNarrowTexels). In: Tree. Out: AccelTables::narrow.
 #include "accel/tables.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lightbench {
@@ -51,21 +52,6 @@ class Planes {
 };
 
 constexpr uvec4 kAbsent{0xffffu, 0xffffu, 0xffffu, gpu_layout::kNothing}; // lo 65535, hi 0
-
-// Inner nodes in the order of a walk that goes left first.
-std::vector<std::uint32_t> inner_numbers(const Tree& tree) {
-    std::vector<std::uint32_t> numbers(tree.nodes.size()), open{0};
-    std::uint32_t next = 0;
-    while (!open.empty()) {
-        const std::uint32_t node = open.back();
-        open.pop_back();
-        if (tree.nodes[node].count > 0) continue;
-        numbers[node] = next++;
-        open.push_back(tree.nodes[node].first + 1);
-        open.push_back(tree.nodes[node].first);
-    }
-    return numbers;
-}
 
 struct Cost {
     double exact = 0, narrow = 0;

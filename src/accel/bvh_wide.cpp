@@ -1,6 +1,7 @@
 // The tree with four children a node and exact boxes (shaders/shared/rays.h: kWideTexels). In: Tree. Out: AccelTables::nodes.
 #include "accel/tables.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace lightbench {

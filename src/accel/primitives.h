@@ -38,4 +38,10 @@ RayPrimitives ray_primitives(const Scene& scene, const RasterGeometry& geometry)
 // Boxes of primitives by number; rounded outwards, so that every point of the primitive lies inside.
 std::vector<FloatBox> boxes_of(const RayPrimitives& primitives);
 
+// Spheres that hold them likewise: (center, radius).
+std::vector<glm::vec4> spheres_of(const RayPrimitives& primitives);
+
+// Frame units by which a walk may lose its way among planes (voxels, quantised boxes), and a test the primitive: see boxes.cpp.
+constexpr double kWalkError = 0x1p-18;
+
 } // namespace lightbench

@@ -17,9 +17,15 @@ class LeafReferences {
     const Tree& tree_;
 };
 
+// Inner nodes in the order of a walk that goes left first.
+std::vector<std::uint32_t> inner_numbers(const Tree& tree);
+
 // Both set AccelTables::stack to what their walk needs, if that is more than it says.
 void add_wide(AccelTables& tables, const Tree& tree);
 void add_narrow(AccelTables& tables, const Tree& tree);
+
+// `spheres` by slot.
+void add_spheres(AccelTables& tables, const Tree& tree, const std::vector<glm::vec4>& spheres);
 
 // Where plane q of the narrow tree lies, in exact arithmetic.
 inline double narrow_plane(const AccelTables& tables, int axis, std::uint32_t q) {
