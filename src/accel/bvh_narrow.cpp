@@ -61,7 +61,7 @@ struct Cost {
 } // namespace
 
 void add_narrow(AccelTables& tables, const Tree& tree) {
-    tables.stack = std::max(tables.stack, tree.depth + 1);
+    tables.stack = std::max(tables.stack, tree.depth + 2); // as the wide one
     tables.narrow.assign(2, kAbsent);
     if (tree.nodes.empty()) return;
     const LeafReferences references(tree);

@@ -130,7 +130,7 @@ void Octree::write(AccelTables& tables) const {
     append_words(tables.nodes, {words_.begin() + 1, words_.end()});
     append_words(tables.nodes, leaves_);
     append_words(tables.nodes, references_);
-    tables.stack = depth_ + 1;
+    tables.stack = std::max(depth_ + 1, 3u); // a walk that is put down leaves three words there
     tables.depth = depth_;
     tables.node_count = 1 + 8 * splits;
     tables.reference_count = references_.size();

@@ -17,6 +17,7 @@ struct RayPrimitives {
     std::vector<gpu_layout::RayShape> shapes;
     std::vector<gpu_layout::RayCorners> corners; // of each triangle, by number
     std::size_t dropped = 0;                     // shapes without volume or area
+    double reach = 4;                            // frame units: no ray starts farther from the frame's origin
     std::size_t size() const { return triangles.size() + spheres.size() + shapes.size(); }
 };
 
@@ -41,7 +42,7 @@ std::vector<FloatBox> boxes_of(const RayPrimitives& primitives);
 // Spheres that hold them likewise: (center, radius).
 std::vector<glm::vec4> spheres_of(const RayPrimitives& primitives);
 
-// Frame units by which a walk may lose its way among planes (voxels, quantised boxes), and a test the primitive: see boxes.cpp.
-constexpr double kWalkError = 0x1p-18;
+// Frame units by which the test of a primitive, or a walk among planes, may be off: see boxes.cpp.
+double error_of_rays(const RayPrimitives& primitives);
 
 } // namespace lightbench

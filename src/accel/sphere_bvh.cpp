@@ -88,7 +88,7 @@ constexpr float kAbsentRadius = -1;
 
 void add_spheres(AccelTables& tables, const Tree& tree, const std::vector<glm::vec4>& spheres) {
     using namespace gpu_layout;
-    tables.stack = tree.depth + 1;
+    tables.stack = tree.depth + 2; // as of the tree of boxes
     const uvec4 absent(0, 0, 0, std::bit_cast<std::uint32_t>(kAbsentRadius));
     tables.nodes = {absent, absent, {kNothing, kNothing, 0, 0}};
     if (tree.nodes.empty()) return;

@@ -27,6 +27,7 @@ class VoxelItems {
     const RayPrimitives& primitives_; // in the order of the numbers
     std::vector<Voxel> boxes_;
     Voxel all_;
+    double error_; // of rays: boxes_ have twice that as padding
 };
 
 // References of lists that follow each other, four a texel; the last texel is filled with kNothing.
