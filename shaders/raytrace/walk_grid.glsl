@@ -24,7 +24,7 @@ bool walk_grid(inout RayHit hit, bool first, inout Walk w) {
     VoxelSpace space = VoxelSpace(uintBitsToFloat(x.xyz), uintBitsToFloat(y.xyz), uvec3(x.w, y.w, z.x));
     bool begins = w.top != 0u;
     float start = enter_voxels(space, hit.t);
-    uvec3 at = begins ? voxel_at(space, start == kNoHit ? 0.0 : start) : grid_cell(space, w.node);
+    uvec3 at = begins ? voxel_at(space, start == kNoHit ? 0.0 : start) : grid_cell(space, w.node == kNothing ? 0u : w.node);
     uvec3 ahead = uvec3(greaterThan(ray.inv_d, vec3(0.0))), move = 2u * ahead - 1u; // -1 wraps around, and out of the grid
     bool ended = w.node == kNothing || (begins && start == kNoHit);
     uvec2 list = grid_list(space, at);

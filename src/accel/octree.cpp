@@ -11,7 +11,7 @@ namespace {
 
 using namespace gpu_layout;
 
-constexpr std::uint32_t kObjects = 6; // that a voxel may hold where nobody asks
+constexpr std::uint32_t kObjects = 4; // that a voxel may hold where nobody asks
 // References that lie in the tree at most; deeper levels are not begun.
 constexpr std::size_t kReferencesEach = 32, kReferencesAtLeast = std::size_t{1} << 20;
 
@@ -104,6 +104,7 @@ bool Octree::split(const Level& level, const Open& cell, std::uint32_t side, Lev
     return false;
 }
 
+// A walk that stands in an empty leaf reads the first one all the same: there is always one, if only of no references.
 void Octree::build() {
     const std::size_t most = std::max(kReferencesEach * items_.size(), kReferencesAtLeast);
     Level level;
@@ -118,6 +119,7 @@ void Octree::build() {
         }
         level = std::move(below);
     }
+    if (leaves_.empty()) leaves_.assign(2, 0);
 }
 
 void Octree::write(AccelTables& tables) const {

@@ -106,7 +106,7 @@ bool same_built(const Built& a, const Built& b) {
 TEST(Accel, SameBytesWhateverTheThreads) {
     for (Kind kind : {Kind::spheres, Kind::mixed, Kind::planes, Kind::slivers})
         for (Accel accel : kStructures) {
-            const auto primitives = generate(kind, accel == Accel::bvh ? 60000 : 20000, 9);
+            const auto primitives = generate(kind, accel == Accel::bvh ? 30000 : 3000, 9);
             const auto one = built(primitives, {.accel = accel, .threads = 1});
             for (unsigned threads : {2u, 7u}) EXPECT_TRUE(same_built(one, built(primitives, {.accel = accel, .threads = threads})));
             // An order that an earlier structure left does not matter.
