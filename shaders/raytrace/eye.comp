@@ -8,13 +8,14 @@
 #include "fetch.glsl"
 #include "lib/random.glsl"
 #include "lib/vector.glsl"
+#include "raytrace/pack.glsl"
 #include "raytrace/tile.glsl"
 
 layout(constant_id = CONSTANT_RAY_EFFECTS) const uint kRayEffects = 0u;
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { EyePush push; };
 FETCH_TABLE(eye_points, FETCH_EYE_POINTS, 24)
-layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { Ray next_rays[]; };
+layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { uvec4 next_rays[]; };
 layout(set = 0, binding = 34, scalar) writeonly buffer Tree { uvec4 node_words[]; };
 layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
 layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_media[]; };
@@ -38,14 +39,15 @@ vec2 image_point(uint i, out uint key) {
 
 void main() {
     uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x;
-    for (uint n = uint(gl_LocalInvocationIndex == 0u && i < push.count); n > 0u; --n)
-        atomicAdd(counters.done, min(gl_WorkGroupSize.x, push.count - i));
+    if (gl_LocalInvocationIndex == 0u && i < push.count) atomicAdd(counters.done, min(gl_WorkGroupSize.x, push.count - i));
     if (i >= push.count) return;
     uint key;
     vec2 at = image_point(i, key);
     vec3 d = fast_normalize(push.corner + at.x * push.across + at.y * push.down);
     float after = push.hither / max(dot(d, push.axis), 1.1754944e-38);
-    next_rays[i] = Ray(push.eye, after, d, kNothing, 0.0, 1u | 7u << 8u, 1.0, key);
+    uvec4 a, b, c;
+    pack_ray(Ray(push.eye, after, d, kNothing, 0.0, 1u | 7u << 8u, 1.0, key), a, b, c);
+    next_rays[kRayTexels * i] = a, next_rays[kRayTexels * i + 1u] = b, next_rays[kRayTexels * i + 2u] = c;
     node_words[kRayNodeTexels * i + 1u] = uvec4(floatBitsToUint(vec3(1.0)), kRayEye);
     if (wants_ray(RAY_REFRACTED)) next_media[i] = push.media;
 }

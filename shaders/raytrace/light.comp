@@ -33,13 +33,15 @@ void main() {
     if (i >= push.count) return;
     point_index = i;
     RayPoint p = read_point(i);
-    Material m = read_material(p.surface == kNothing ? 0u : p.surface);
-    m.diffuse = p.diffuse;
-    Surface s = Surface(p.position, p.normal, -uintBitsToFloat(fetch_rays(kRayTexels * i + 1u).xyz));
+    uint from = ray_of_hit(i);
+    Material m = read_material(p.surface);
+    if (wants(EFFECT_ANY_TEXTURE)) m.diffuse = p.diffuse;
+    Surface s = Surface(p.position, p.normal, -uintBitsToFloat(fetch_rays(kRayTexels * from + 1u).xyz));
     bool first = push.first_light == 0u;
-    vec3 color = p.opacity * (first ? shade(s, m) + mirrored(s, m) : sum_lights(s, m, kPartAll));
-    uint at = kRayNodeTexels * (push.first + i);
+    vec3 color = first ? shade(s, m) + mirrored(s, m) : sum_lights(s, m, kPartAll);
+    if (wants(EFFECT_TRANSPARENCY)) color *= p.opacity;
+    uint at = kRayNodeTexels * (push.first + from);
     vec3 before = vec3(0.0);
     if (push.more != 0u) before = uintBitsToFloat(fetch_tree(at).xyz);
-    if (p.surface != kNothing) node_words[at] = uvec4(floatBitsToUint(before + color), p.children);
+    node_words[at] = uvec4(floatBitsToUint(before + color), p.children);
 }

@@ -5,6 +5,7 @@
 #include "shared/effects.h"
 #include "shared/rays.h"
 #include "fetch.glsl"
+#include "raytrace/pack.glsl"
 
 layout(constant_id = CONSTANT_RAY_EFFECTS) const uint kRayEffects = 0u;
 layout(constant_id = CONSTANT_ACCEL) const uint kAccel = ACCEL_BVH;
@@ -14,6 +15,8 @@ layout(push_constant, scalar) uniform Push { RayPush push; };
 
 FETCH_TABLE(rays, FETCH_RAYS, 22)
 layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
+
+FETCH_TABLE(hit_rays, FETCH_RAYS, 42)
 
 bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
 
@@ -25,12 +28,16 @@ Ray read_ray(uint i) {
     return Ray(uintBitsToFloat(a.xyz), uintBitsToFloat(a.w), uintBitsToFloat(b.xyz), b.w, uintBitsToFloat(c.x), c.y, uintBitsToFloat(c.z), c.w);
 }
 
-// One invocation bears witness for its work group: an atomic each would cost more than the work. Loops of one round at most stand for `if`
-// wherever the body is dear: CPU drivers run both sides of an `if`, but no round of a loop that nobody takes.
+// Which ray the i-th hit is of: hits lie together, however many rays went past everything.
+uint ray_of_hit(uint i) {
+    uvec4 four = fetch_hit_rays(i >> 2u);
+    return (i & 2u) == 0u ? ((i & 1u) == 0u ? four.x : four.y) : ((i & 1u) == 0u ? four.z : four.w);
+}
+
+// One invocation bears witness for its work group: an atomic each would cost more than the work.
 void count_done(uint count) {
     uint first = invocation();
-    for (uint n = uint(gl_LocalInvocationIndex == 0u && first < count); n > 0u; --n)
-        atomicAdd(counters.done, min(gl_WorkGroupSize.x, count - first));
+    if (gl_LocalInvocationIndex == 0u && first < count) atomicAdd(counters.done, min(gl_WorkGroupSize.x, count - first));
 }
 
 #endif

@@ -1,5 +1,5 @@
 // The surface at every hit of a generation, and the rays that it sends on (S13, S14, S16 to S19). In: rays, hits. Out: the points whose
-// lights are to be summed; the next generation of rays and their nodes; the finished nodes of rays that leave the scene.
+// lights are to be summed; the next generation of rays and their nodes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -8,20 +8,13 @@
 #extension GL_KHR_shader_subgroup_ballot : require
 #define LIGHTBENCH_TRACED
 #include "raytrace/hit_surface.glsl"
-#include "environment.glsl"
 #include "texture.glsl"
 #include "raytrace/spawn.glsl"
 
 FETCH_TABLE(hits, FETCH_RAYS, 24)
-layout(set = 0, binding = 33, scalar) writeonly buffer Points { RayPoint points[]; };
+layout(set = 0, binding = 33, scalar) writeonly buffer Points { uvec4 points[]; };
 
 vec3 visibility(uint light) { return vec3(1.0); } // no light is summed here
-
-// Radiance from where no object is.
-vec3 background_radiance(Ray r) {
-    if (wants(EFFECT_BACKGROUND_MAP)) return environment_radiance(r.direction, push.spread);
-    return push.background;
-}
 
 // What the cone of the ray covers of the surface, as steps of picture coordinates: across the plane of incidence, and along it.
 Footprint hit_footprint(Material m, HitSurface h, Ray r, float width) {
@@ -72,7 +65,7 @@ RayPoint point_of(Material m, HitSurface h, Ray r, float width) {
 
 void write_children(uint at, uint i, Ray r, RayHit hit, HitSurface h, RayPoint p, Sent s, float width) {
     if (wants_ray(RAY_REFLECTED))
-        for (uint n = uint(is_any(s.mirrored)); n > 0u; --n) write_mirrored(at++, i, r, h, p, s, width);
+        if (is_any(s.mirrored)) write_mirrored(at++, i, r, h, p, s, width);
     if (wants_ray(RAY_REFRACTED)) {
         uint left = s.channels;
         for (uint n = refracted_rays(s); n > 0u; --n) {
@@ -82,7 +75,7 @@ void write_children(uint at, uint i, Ray r, RayHit hit, HitSurface h, RayPoint p
         }
     }
     if (wants_ray(RAY_STRAIGHT))
-        for (uint n = uint(is_any(s.straight)); n > 0u; --n) write_straight(at++, i, r, hit, h, s);
+        if (is_any(s.straight)) write_straight(at++, i, r, hit, h, s);
 }
 
 void count_children(Sent s) {
@@ -92,37 +85,36 @@ void count_children(Sent s) {
     atomicAdd(counters.straight, uint(is_any(s.straight)));
 }
 
+void write_point(uint i, RayPoint p) {
+    uint at = kRayPointTexels * i;
+    points[at] = uvec4(floatBitsToUint(p.position), p.surface), points[at + 1u] = uvec4(floatBitsToUint(p.normal), p.children);
+    if (wants_ray(RAY_SHADOWS)) points[at + 2u] = uvec4(floatBitsToUint(p.origin), 0u), points[at + 3u] = uvec4(floatBitsToUint(p.face), 0u);
+    if (wants(EFFECT_ANY_TEXTURE)) points[at + 4u] = uvec4(floatBitsToUint(p.diffuse), 0u);
+    if (wants(EFFECT_TRANSPARENCY)) points[at + 5u] = uvec4(floatBitsToUint(p.opacity), 0u);
+}
+
 void main() {
     uint i = invocation(), k = min(i, push.count - 1u);
     count_done(push.count);
     bool live = i < push.count;
-    Ray r = read_ray(k);
+    uint from = ray_of_hit(k);
+    Ray r = read_ray(from);
     uvec4 words = fetch_hits(k);
     RayHit hit = RayHit(uintBitsToFloat(words.x), words.y, uintBitsToFloat(words.z), uintBitsToFloat(words.w));
     ray.o = r.origin, ray.d = r.direction;
-    bool found = live && hit.ref != kNothing;
     float width = r.width + hit.t * push.spread;
-    HitSurface h;
-    RayPoint p;
-    Sent s = Sent(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(1.0), uvec4(0u), 0u);
-    for (uint n = uint(found); n > 0u; --n) {
-        h = hit_surface(hit);
-        Material m = read_traced_material(h.surface);
-        p = point_of(m, h, r, width);
-        if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) s = sent_on(k, r, h, m, p);
-    }
+    HitSurface h = hit_surface(hit);
+    Material m = read_traced_material(h.surface);
+    RayPoint p = point_of(m, h, r, width);
     if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) {
+        Sent s = sent_on(from, r, h, m, p);
+        if (!live) s.mirrored = s.refracted = s.straight = vec3(0.0);
         uint wanted = rays_sent(s);
         bool room;
         uint at = allocate(wanted, room);
         p.children = (push.next_first + at) << 3u | wanted;
-        for (uint n = uint(room && wanted > 0u); n > 0u; --n) write_children(at, k, r, hit, h, p, s, width);
+        if (room && wanted > 0u) write_children(at, from, r, hit, h, p, s, width);
         count_children(s);
     }
-    for (uint n = uint(found); n > 0u; --n) points[i] = p;
-    for (uint n = uint(live && !found); n > 0u; --n) {
-        points[i].surface = kNothing;
-        node_words[kRayNodeTexels * (push.first + i)] = uvec4(floatBitsToUint(background_radiance(r)), 0u);
-    }
-    if (wants_ray(RAY_COUNT)) atomicAdd(counters.hits, uint(found));
+    if (live) write_point(i, p);
 }

@@ -28,12 +28,12 @@ bool shadow_ray(uint i, Light light, out Ray r, out float limit) {
     }
     r = Ray(p.origin, 0.0, way, kNothing, 0.0, 0u, 0.0, 0u);
     bool sends = a.intensity.x > 0.0 || a.intensity.y > 0.0 || a.intensity.z > 0.0;
-    return p.surface != kNothing && sends && dot(p.normal, a.l) > 0.0 && dot(p.face, a.l) > 0.0;
+    return sends && dot(p.normal, a.l) > 0.0 && dot(p.face, a.l) > 0.0;
 }
 
 void main() {
     uint i = invocation(), layer = gl_WorkGroupID.z;
-    for (uint n = uint(layer == 0u); n > 0u; --n) count_done(push.count);
+    if (layer == 0u) count_done(push.count);
     bool live = i < push.count;
     if (!wants_ray(RAY_PACKETS) && !live) return;
     Ray r;
@@ -42,8 +42,7 @@ void main() {
     asked = asked && live;
     start_ray(r);
     RayHit hit = RayHit(asked ? limit : -1.0, kNothing, 0.0, 0.0);
-    Walk w = walk_start();
-    if (!wants_ray(RAY_PACKETS) && !asked) w.node = kNothing;
+    Walk w = walk_start(asked);
     if (wants_ray(RAY_RESUME) && push.resume != 0u) take_up_walk(min(i, push.count - 1u), w, hit); // one light a dispatch
     bool done = walk(hit, true, w);
     if (live) {

@@ -9,7 +9,7 @@
 #include "lib/scatter.glsl"
 
 FETCH_TABLE(media, FETCH_RAYS, 38)
-layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { Ray next_rays[]; };
+layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { uvec4 next_rays[]; };
 layout(set = 0, binding = 34, scalar) writeonly buffer Tree { uvec4 node_words[]; };
 layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_media[]; };
 
@@ -104,7 +104,9 @@ uint refracted_rays(Sent s) { return is_any(s.refracted) ? max(bitCount(s.channe
 uint rays_sent(Sent s) { return uint(is_any(s.mirrored)) + refracted_rays(s) + uint(is_any(s.straight)); }
 
 void write_child(uint slot, Ray child, vec3 weight, uint kind, uvec4 media) {
-    next_rays[slot] = child;
+    uvec4 a, b, c;
+    pack_ray(child, a, b, c);
+    next_rays[kRayTexels * slot] = a, next_rays[kRayTexels * slot + 1u] = b, next_rays[kRayTexels * slot + 2u] = c;
     node_words[kRayNodeTexels * (push.next_first + slot) + 1u] = uvec4(floatBitsToUint(weight), kind);
     if (wants_ray(RAY_REFRACTED)) next_media[slot] = media;
 }
@@ -157,7 +159,7 @@ void write_straight(uint slot, uint i, Ray r, RayHit hit, HitSurface h, Sent s) 
 // Room for `wanted` rays: one atomic for the rays of a SIMD group. Where there is no room left nothing is written, and the host finds out.
 uint allocate(uint wanted, out bool room) {
     uint before = subgroupExclusiveAdd(wanted), all = subgroupAdd(wanted), first = 0u;
-    for (uint n = uint(subgroupElect() && all > 0u); n > 0u; --n) first = atomicAdd(counters.children, all);
+    if (subgroupElect() && all > 0u) first = atomicAdd(counters.children, all);
     uint at = subgroupBroadcastFirst(first) + before;
     room = at + wanted <= push.next_capacity;
     return at;

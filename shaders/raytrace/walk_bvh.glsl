@@ -146,6 +146,7 @@ bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
             test_leaf(at, hit);
             --top;
             at = stack[top];
+            if (any && packet_or(uint(hit.ref == kNothing && hit.t > 0.0)) == 0u) at = kNothing; // all have found something
             steps += 4u;
         }
     }

@@ -7,7 +7,8 @@
 // kRayWalkWords + kStack words each.
 layout(set = 0, binding = 37, scalar) buffer Walks { uint walk_words[]; };
 
-Walk walk_start() { return Walk(0u, 1u, 0u, 0u); }
+// A lane that has nothing to look for goes along in a packet, and does not even start by itself.
+Walk walk_start(bool asked) { return Walk(asked || wants_ray(RAY_PACKETS) ? 0u : kNothing, 1u, 0u, 0u); }
 
 // hit.t is the limit: what lies beyond is not found. True if the walk has ended.
 bool walk(inout RayHit hit, bool any, inout Walk w) {
@@ -36,7 +37,7 @@ void put_down_walk(uint slot, Walk w, RayHit hit) {
 }
 
 void count_unfinished(bool done) {
-    for (uint n = uint(!done); n > 0u; --n) atomicAdd(counters.unfinished, 1u);
+    if (!done) atomicAdd(counters.unfinished, 1u);
 }
 
 #endif

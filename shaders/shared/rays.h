@@ -128,7 +128,7 @@ const uint kRayTexels = 3u;
 
 // What shading a hit found, for summing its lights.
 struct RayPoint {
-    vec3 position; uint surface;       // kNothing: no hit, nothing to add up
+    vec3 position; uint surface;       // index into materials
     vec3 normal; uint children;        // of the node: see there
     vec3 origin; float pad0;           // of shadow rays: off the surface by its error, on the side that is seen
     vec3 face; float pad1;             // unit geometric normal, on the side that is seen
@@ -169,6 +169,8 @@ struct RayWalk {
 };
 const uint kRayWalkWords = 14u;
 
+const uint kCollect = 2u;
+
 // Push constants of the passes over rays; begins as ShadePush does, whose names shade.glsl reads.
 struct RayPush {
     vec3 eye; uint first_light;
@@ -182,7 +184,7 @@ struct RayPush {
     float cutoff;                      // S19
     float spread;                      // radians: how fast cones of rays widen
     uint seed;
-    uint resume;                       // 1: the walks that were not finished go on
+    uint resume;                       // 1: the walks that were not finished go on; kCollect: all have ended
     uint more;                         // 1: the lights of this piece are added to those before
     uint layer;                        // of visibility: of the light that the first layer of work groups is for
     uint triangle_count, sphere_count, shape_count;

@@ -141,6 +141,7 @@ void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& bu
                                                                                {"corners", "corners_storage"},
                                                                                {"rays", "rays_storage"},
                                                                                {"hits", "hits_storage"},
+                                                                               {"hit_rays", "hit_rays_storage"},
                                                                                {"points", "points_storage"},
                                                                                {"lit", "lit_storage"},
                                                                                {"tree", "tree_storage"},

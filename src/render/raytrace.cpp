@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace lightbench {
 namespace {
@@ -77,7 +78,7 @@ struct Tile {
     std::uint32_t packed() const { return width | height << 16; }
 };
 
-// A generation in the tree: nodes first to first + count.
+// A generation in the tree: nodes first to first + count; or its hits, which are fewer.
 struct Generation {
     std::uint32_t first = 0, count = 0;
     bool sends = false; // some of its rays have children
@@ -93,12 +94,15 @@ class TileTracer {
   private:
     void record_eye(const Tile& tile);
     bool run_generation(const Generation& g);
-    void record_trace(const Generation& g, bool resume);
+    void record_trace(const Generation& g, std::uint32_t resume);
     void record_shade(const Generation& g);
     void record_shadows(const Generation& g, RayPush push, std::uint32_t lights);
     void record_light(const Generation& g, const RayPush& push);
     template <class Shadows> void each_piece(const Generation& g, Shadows&& shadows);
-    bool run_slowly(const Generation& g, RayCounters& c);
+    template <class Record> void until_done(Record&& record);
+    std::optional<std::uint32_t> find_hits(const Generation& g);
+    std::optional<RayCounters> shade_hits(const Generation& hits);
+    bool make_walks(std::uint32_t count);
     void add(const RayCounters& c);
     void gather_and_film(const Tile& tile, gpu::Image& image);
     RayPush push_for(const Generation& g) const;
@@ -197,11 +201,12 @@ void TileTracer::record_eye(const Tile& tile) {
     expected_ += push.count;
 }
 
-void TileTracer::record_trace(const Generation& g, bool resume) {
+void TileTracer::record_trace(const Generation& g, std::uint32_t resume) {
     RayPush push = push_for(g);
     push.resume = resume;
-    gpu::Bindings bindings = with_structure({{"Hits", b_.hits}});
+    gpu::Bindings bindings = with_structure({{"Hits", b_.hits}, {"HitRays", b_.hit_rays}, {"Tree", b_.tree}});
     offer_table(bindings, "rays", b_.rays[now_]);
+    offer_table(bindings, "texels", w_.scene.texels);
     compute("trace", RayPass::trace, std::move(bindings), push, b_.walks ? RAY_RESUME : packets());
 }
 
@@ -209,6 +214,7 @@ void TileTracer::record_shade(const Generation& g) {
     gpu::Bindings bindings = with_primitives({{"Points", b_.points}, {"NextRays", b_.rays[1 - now_]}, {"Tree", b_.tree}});
     offer_table(bindings, "rays", b_.rays[now_]);
     offer_table(bindings, "hits", b_.hits);
+    offer_table(bindings, "hit_rays", b_.hit_rays);
     offer_table(bindings, "materials", w_.scene.materials);
     offer_table(bindings, "texels", w_.scene.texels);
     offer_table(bindings, "corners", t_.scene.corners);
@@ -230,6 +236,7 @@ void TileTracer::record_shadows(const Generation&, RayPush push, std::uint32_t l
 void TileTracer::record_light(const Generation&, const RayPush& push) {
     gpu::Bindings bindings{{"Tree", b_.tree}, {"Counters", b_.counters}};
     offer_table(bindings, "rays", b_.rays[now_]);
+    offer_table(bindings, "hit_rays", b_.hit_rays);
     offer_table(bindings, "points", b_.points);
     offer_table(bindings, "lit", b_.visibility);
     offer_table(bindings, "tree", b_.tree);
@@ -254,35 +261,60 @@ template <class Shadows> void TileTracer::each_piece(const Generation& g, Shadow
     } while (first < t_.lights);
 }
 
-// Some walks spent their steps: once more, with walks that are put down and taken up until all have ended. False if there is no room.
-bool TileTracer::run_slowly(const Generation& g, RayCounters& c) {
-    const std::uint64_t bytes = std::uint64_t{g.count} * 4 * (kRayWalkWords + t_.scene.stack);
+// record(resume) until every walk has ended: those that spend their steps are put down, and taken up in the next dispatch.
+template <class Record> void TileTracer::until_done(Record&& record) {
+    for (std::uint32_t resume = 0;; resume = 1) {
+        w_.recorder.fill(b_.counters, 0);
+        record(resume);
+        const RayCounters round = submit();
+        add(round);
+        if (round.unfinished == 0) return;
+    }
+}
+
+// The number of hits; nothing if some walks spent their steps and there is no room to put them down.
+std::optional<std::uint32_t> TileTracer::find_hits(const Generation& g) {
+    record_trace(g, 0);
+    RayCounters c = submit();
+    if (c.unfinished == 0) return add(c), c.hits;
+    if (!make_walks(g.count)) return std::nullopt;
+    until_done([&](std::uint32_t resume) { record_trace(g, resume); });
+    w_.recorder.fill(b_.counters, 0);
+    record_trace(g, kCollect);
+    c = submit();
+    b_.walks = {};
+    return add(c), c.hits;
+}
+
+bool TileTracer::make_walks(std::uint32_t count) {
+    const std::uint64_t bytes = std::uint64_t{count} * 4 * (kRayWalkWords + t_.scene.stack);
     if (bytes > w_.device.info().max_storage_range) return false;
     b_.walks = gpu::make_buffer(w_.device, "walks", bytes, vk::BufferUsageFlagBits::eStorageBuffer);
-    const auto until_done = [&](auto&& record) {
-        for (bool resume = false;; resume = true) {
-            w_.recorder.fill(b_.counters, 0);
-            record(resume);
-            const RayCounters round = submit();
-            add(round);
-            if (round.unfinished == 0) return;
-        }
-    };
-    until_done([&](bool resume) { record_trace(g, resume); });
+    return true;
+}
+
+// Surfaces, lights and the next generation's rays.
+std::optional<RayCounters> TileTracer::shade_hits(const Generation& hits) {
     w_.recorder.fill(b_.counters, 0);
-    record_shade(g);
+    record_shade(hits);
+    each_piece(hits, [&](const RayPush& push, std::uint32_t lights) { record_shadows(hits, push, lights); });
+    RayCounters c = submit();
+    if (c.unfinished == 0) return c;
+    if (!make_walks(hits.count)) return std::nullopt;
+    w_.recorder.fill(b_.counters, 0);
+    record_shade(hits);
     c = submit();
-    each_piece(g, [&](RayPush push, std::uint32_t lights) {
+    each_piece(hits, [&](RayPush push, std::uint32_t lights) {
         for (push.layer = 0; push.layer < lights; ++push.layer)
-            until_done([&](bool resume) {
+            until_done([&](std::uint32_t resume) {
                 push.resume = resume;
-                record_shadows(g, push, 1);
+                record_shadows(hits, push, 1);
             });
         w_.recorder.fill(b_.counters, 0);
     });
     submit();
     b_.walks = {};
-    return true;
+    return c;
 }
 
 void TileTracer::add(const RayCounters& c) {
@@ -294,18 +326,17 @@ void TileTracer::add(const RayCounters& c) {
 
 // False if the next generation has no room.
 bool TileTracer::run_generation(const Generation& g) {
-    record_trace(g, false);
-    record_shade(g);
-    each_piece(g, [&](const RayPush& push, std::uint32_t lights) { record_shadows(g, push, lights); });
-    RayCounters c = submit();
-    if (c.unfinished > 0 && !run_slowly(g, c)) return false;
-    if (c.children > room()) return false;
-    add(c);
-    if (generations_.size() == 1) t_.counts.eye += g.count, t_.counts.eye_hit += c.hits;
-    generations_.back().sends = c.children > 0;
-    next_ += c.children;
-    if (c.children == 0) return true;
-    generations_.push_back({g.first + g.count, c.children, false});
+    const auto hits = find_hits(g);
+    if (!hits) return false;
+    if (generations_.size() == 1) t_.counts.eye += g.count, t_.counts.eye_hit += *hits;
+    if (*hits == 0) return true;
+    const auto c = shade_hits({g.first, *hits});
+    if (!c || c->children > room()) return false;
+    add(*c);
+    generations_.back().sends = c->children > 0;
+    next_ += c->children;
+    if (c->children == 0) return true;
+    generations_.push_back({g.first + g.count, c->children, false});
     now_ = 1 - now_;
     w_.recorder.fill(b_.counters, 0);
     return true;
@@ -324,13 +355,14 @@ void TileTracer::gather_and_film(const Tile& tile, gpu::Image& image) {
 }
 
 void TileTracer::warm_up(gpu::Image& image) {
+    w_.recorder.fill(b_.counters, 0);
     const Tile nothing{frame_.area.offset.x, frame_.area.offset.y, 0, 0};
     record_eye(nothing);
     const Generation none{};
     for (const std::size_t generations : {1, 2}) { // rays that go together, and those that do not
         generations_.resize(generations);
         if (generations == 2 && !(w_.plan.ray_effects & kSpawns)) break;
-        record_trace(none, false);
+        record_trace(none, 0);
         RayPush push = push_for(none);
         if (w_.plan.ray_effects & RAY_SHADOWS) record_shadows(none, push, 1);
     }
@@ -383,6 +415,7 @@ RayBuffers make_buffers(gpu::Device& device, const Plan& plan, std::uint32_t lig
     b.rays[1] = table("rays-next", (one ? 1 : n) * sizeof(Ray));
     if (plan.ray_effects & RAY_REFRACTED) b.media = {table("media", n * sizeof(RayMedia)), table("media-next", n * sizeof(RayMedia))};
     b.hits = table("hits", n * sizeof(RayHit));
+    b.hit_rays = table("hit-rays", (n + 3) / 4 * 16);
     b.points = table("points", n * sizeof(RayPoint));
     if (plan.ray_effects & RAY_SHADOWS) b.visibility = table("visibility", n * b.lights * sizeof(glm::vec4));
     b.tree = table("ray-tree", std::uint64_t{b.nodes} * sizeof(RayNode));
