@@ -11,16 +11,30 @@
 
 FETCH_TABLE(narrow, FETCH_NARROW, 6)
 
+layout(constant_id = CONSTANT_LOOSE) const uint kLoose = 0u;
+bool in_tree(uint type) { return (kLoose >> (12u + type) & 1u) != 0u; }
+uint loose(uint type) { return kLoose >> (4u * type) & 15u; }
+
+// What is in no tree, since there are too few of its type.
+void test_loose(inout RayHit hit) {
+    if (loose(kTypeTriangle) > 0u)
+        for (uint i = 0u; i < loose(kTypeTriangle); ++i) test_triangle(i, hit);
+    if (loose(kTypeSphere) > 0u)
+        for (uint i = 0u; i < loose(kTypeSphere); ++i) test_sphere(i, hit);
+    if (loose(kTypeShape) > 0u)
+        for (uint i = 0u; i < loose(kTypeShape); ++i) test_shape(i, hit);
+}
+
 bool is_leaf(uint ref) { return (ref & kRefLeaf) != 0u; } // kNothing is one
 
 // The primitives of a leaf. A lane without one has kNothing.
 void test_leaf(uint ref, inout RayHit hit) {
     uint count = ref == kNothing ? 0u : ((ref >> kRefCount) & 3u) + 1u, type = type_of(ref), first = index_of(ref);
-    if (wants_ray(RAY_TRIANGLES))
+    if (in_tree(kTypeTriangle))
         for (uint i = 0u; i < (type == kTypeTriangle ? count : 0u); ++i) test_triangle(first + i, hit);
-    if (wants_ray(RAY_SPHERES))
+    if (in_tree(kTypeSphere))
         for (uint i = 0u; i < (type == kTypeSphere ? count : 0u); ++i) test_sphere(first + i, hit);
-    if (wants_ray(RAY_SHAPES))
+    if (in_tree(kTypeShape))
         for (uint i = 0u; i < (type == kTypeShape ? count : 0u); ++i) test_shape(first + i, hit);
 }
 
@@ -50,6 +64,8 @@ bool walk_narrow(inout RayHit hit, bool any, inout Walk w) {
     NarrowRay r = narrow_ray();
     uint at = w.node, top = w.top, steps = 0u;
     stack[0] = kNothing;
+    if (push.resume == 0u) test_loose(hit);
+    at = any && hit.ref != kNothing ? kNothing : at;
     while (at != kNothing && steps < kStepBudget) {
         while (!is_leaf(at)) {
             uvec4 a = fetch_narrow(kNarrowTexels * at + 2u), b = fetch_narrow(kNarrowTexels * at + 3u);
@@ -121,6 +137,7 @@ bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
     vec3 low = ray.o + ray.slack, high = ray.o - ray.slack, along = subgroupShuffle(ray.d, 0u);
     uint at = w.node, top = w.top, steps = 0u;
     stack[0] = kNothing;
+    if (push.resume == 0u) test_loose(hit);
     while (at != kNothing && steps < kPacketBudget) {
         while (!is_leaf(at)) {
             WideNode n = read_wide(at);

@@ -3,6 +3,10 @@
 #define LIGHTBENCH_RAYTRACE_WALKS_GLSL
 
 #include "raytrace/walk_bvh.glsl"
+#include "raytrace/walk_grid.glsl"
+#include "raytrace/walk_none.glsl"
+#include "raytrace/walk_octree.glsl"
+#include "raytrace/walk_sphere_bvh.glsl"
 
 // kRayWalkWords + kStack words each.
 layout(set = 0, binding = 37, scalar) buffer Walks { uint walk_words[]; };
@@ -16,7 +20,10 @@ bool walk(inout RayHit hit, bool any, inout Walk w) {
         if (wants_ray(RAY_PACKETS)) return walk_wide(hit, any, w);
         return walk_narrow(hit, any, w);
     }
-    return true;
+    if (kAccel == ACCEL_SPHERE_BVH) return walk_sphere_bvh(hit, any, w);
+    if (kAccel == ACCEL_GRID) return walk_grid(hit, any, w);
+    if (kAccel == ACCEL_OCTREE) return walk_octree(hit, any, w);
+    return walk_none(hit, any, w);
 }
 
 void take_up_walk(uint slot, inout Walk w, inout RayHit hit) {

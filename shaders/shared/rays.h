@@ -14,6 +14,7 @@ using glm::uvec4;
 #define CONSTANT_RAY_EFFECTS 6                  // RAY_... bits
 #define CONSTANT_ACCEL 7                        // ACCEL_...
 #define CONSTANT_STACK 8                        // entries that a traversal of this structure needs at most
+#define CONSTANT_LOOSE 9                        // 4 bits a type: primitives that are in no tree; then a bit a type that is in the tree
 
 #define RAY_TRIANGLES 0x1u                      // which primitives there are
 #define RAY_SPHERES 0x2u

@@ -45,16 +45,38 @@ void order_as(RayPrimitives& primitives, const std::vector<TreeItem>& items) {
     reorder(primitives.shapes, shapes, items, gpu_layout::kTypeShape);
 }
 
+// A leaf tests every type that the tree holds, on drivers that run both sides of an `if`: a floor of two triangles under a thousand spheres
+// would be paid for in each leaf. So a type of up to kLoose primitives, beside at least kCrowd others, stays out of the tree; the large
+// things that are alone of their kind also shorten rays before the walk begins.
+constexpr std::uint32_t kLoose = 4, kCrowd = 64;
+
+// Takes them out of `items`.
+std::vector<TreeItem> take_loose(std::vector<TreeItem>& items, AccelTables& tables) {
+    std::array<std::uint32_t, 3> counts{};
+    for (const TreeItem& item : items) ++counts[item.type];
+    for (std::size_t type = 0; type < counts.size(); ++type)
+        if (counts[type] <= kLoose && items.size() - counts[type] >= kCrowd) tables.loose[type] = counts[type];
+    std::vector<TreeItem> loose;
+    std::erase_if(items, [&](const TreeItem& item) {
+        if (tables.loose[item.type] > 0) loose.push_back(item);
+        return tables.loose[item.type] > 0;
+    });
+    return loose;
+}
+
 constexpr std::uint32_t kLeaf = 4; // primitives of a leaf at most, as a reference counts them
 
 void build_tree_of(AccelTables& tables, RayPrimitives& primitives, const AccelRequest& request) {
     const std::uint32_t leaf = std::clamp(request.leaf == 0 ? kLeaf : request.leaf, 1u, kLeaf);
-    const Tree tree = build_tree(items_of(primitives), leaf, request.threads);
     const bool boxes = request.accel == Accel::bvh;
+    std::vector<TreeItem> items = items_of(primitives), order;
+    if (boxes) order = take_loose(items, tables);
+    const Tree tree = build_tree(std::move(items), leaf, request.threads);
     if (boxes) add_wide(tables, tree);
     if (boxes) add_narrow(tables, tree);
     if (!boxes) add_spheres(tables, tree, spheres_of(primitives));
-    order_as(primitives, tree.items);
+    order.insert(order.end(), tree.items.begin(), tree.items.end());
+    order_as(primitives, order);
     tables.node_count = tables.nodes.size() / (boxes ? gpu_layout::kWideTexels : gpu_layout::kSphereNodeTexels);
     tables.reference_count = tree.items.size();
     tables.depth = tree.depth;

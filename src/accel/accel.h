@@ -32,6 +32,8 @@ struct AccelTables {
     double narrow_inflation = 1;                     // cost of the narrow tree over that of exact boxes (surface-area heuristic)
     std::uint32_t stack = 0;                         // entries of a stack that a walk needs at most (bvh: the larger of both trees)
     std::size_t node_count = 0, reference_count = 0; // nodes or voxels; references to primitives, repeats counted
+    // bvh only, by kType...: so few of a type that each ray is tested against them before its walk; they come first in their tables.
+    std::array<std::uint32_t, 3> loose{};
     std::uint32_t depth = 0;
     double milliseconds = 0; // wall time of the build
     std::size_t bytes() const { return (nodes.size() + narrow.size()) * sizeof(gpu_layout::uvec4); }

@@ -3,8 +3,8 @@
 
 namespace lightbench {
 
-LeafReferences::LeafReferences(const Tree& tree) : tree_(tree) {
-    std::array<std::uint32_t, 3> next{};
+LeafReferences::LeafReferences(const Tree& tree, const std::array<std::uint32_t, 3>& before) : tree_(tree) {
+    std::array<std::uint32_t, 3> next = before;
     index_.reserve(tree.items.size());
     for (const TreeItem& item : tree.items) index_.push_back(next[item.type]++);
 }

@@ -64,7 +64,7 @@ void add_narrow(AccelTables& tables, const Tree& tree) {
     tables.stack = std::max(tables.stack, tree.depth + 2); // as the wide one
     tables.narrow.assign(2, kAbsent);
     if (tree.nodes.empty()) return;
-    const LeafReferences references(tree);
+    const LeafReferences references(tree, tables.loose);
     const Planes planes(tables, tree.nodes[0].box);
     if (tree.nodes[0].count > 0) return void(tables.narrow[0] = planes.words(tree.nodes[0].box, references.of(tree.nodes[0])));
     const auto numbers = inner_numbers(tree);

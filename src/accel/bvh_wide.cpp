@@ -51,7 +51,7 @@ void write_child(AccelTables& tables, std::size_t at, int i, const FloatBox& box
 // A walk that goes into one child keeps the others: the stack grows by their number a level. Two more: one that says where the stack ends,
 // one for a walk that writes first and then decides whether to keep it.
 void add_wide(AccelTables& tables, const Tree& tree) {
-    const LeafReferences references(tree);
+    const LeafReferences references(tree, tables.loose);
     std::vector<Open> open;
     if (!tree.nodes.empty()) open.push_back({&tree.nodes[0], 0, 0, -1});
     if (tree.nodes.empty()) {

@@ -92,7 +92,7 @@ void add_spheres(AccelTables& tables, const Tree& tree, const std::vector<glm::v
     const uvec4 absent(0, 0, 0, std::bit_cast<std::uint32_t>(kAbsentRadius));
     tables.nodes = {absent, absent, {kNothing, kNothing, 0, 0}};
     if (tree.nodes.empty()) return;
-    const LeafReferences references(tree);
+    const LeafReferences references(tree, tables.loose);
     const auto below = items_below(tree);
     Balls balls(tree, spheres);
     for (std::size_t n = tree.nodes.size(); n-- > 0;) balls.make(static_cast<std::uint32_t>(n), below[n]);

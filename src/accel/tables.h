@@ -9,7 +9,8 @@ namespace lightbench {
 // References to the primitives of a tree's leaves, in the order in which the tables hold them.
 class LeafReferences {
   public:
-    explicit LeafReferences(const Tree& tree);
+    // `before`: how many of each type lie before them in their tables.
+    LeafReferences(const Tree& tree, const std::array<std::uint32_t, 3>& before);
     std::uint32_t of(const TreeNode& leaf) const;
 
   private:

@@ -61,6 +61,11 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
     out.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
     out.sphere_count = static_cast<std::uint32_t>(primitives.spheres.size());
     out.shape_count = static_cast<std::uint32_t>(primitives.shapes.size());
+    const std::size_t counts[] = {primitives.triangles.size(), primitives.spheres.size(), primitives.shapes.size()};
+    for (std::size_t type = 0; type < 3; ++type) {
+        out.loose |= out.accel.loose[type] << (4 * type);
+        if (counts[type] > out.accel.loose[type]) out.loose |= 1u << (12 + type);
+    }
     out.structure_bytes = out.accel.bytes();
     out.accel.nodes = {}, out.accel.narrow = {};
     return out;

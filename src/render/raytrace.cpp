@@ -67,7 +67,8 @@ const gpu::ComputePipeline& pipeline_of(RayTracer& tracer, const RayWork& w, Ray
                                    {CONSTANT_FETCH_STORAGE, w.scene.fetch_storage | tracer.scene.fetch_storage},
                                    {CONSTANT_RAY_EFFECTS, rays},
                                    {CONSTANT_ACCEL, static_cast<std::uint32_t>(w.plan.accel)},
-                                   {CONSTANT_STACK, tracer.scene.stack}};
+                                   {CONSTANT_STACK, tracer.scene.stack},
+                                   {CONSTANT_LOOSE, tracer.scene.loose}};
     pipeline = gpu::make_compute(w.device, find_shader(shader_of(pass)), constants, push_of(pass));
     return pipeline;
 }
