@@ -1,17 +1,21 @@
 // Builds the structure that is asked for. In: primitives. Out: its tables, the primitives in its order.
 #include "accel/accel.h"
 
+#include "accel/parallel.h"
 #include "accel/tables.h"
 #include "accel/voxels.h"
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 
 namespace lightbench {
 namespace {
 
 // A table that an earlier structure has ordered goes back to the order of the numbers.
 template <typename Primitive> void restore(std::vector<Primitive>& table, std::size_t first) {
+    const auto smaller = [](const Primitive& a, const Primitive& b) { return a.number < b.number; };
+    if (std::is_sorted(table.begin(), table.end(), smaller)) return;
     std::vector<Primitive> ordered(table.size());
     for (const Primitive& primitive : table) ordered[primitive.number - first] = primitive;
     table.swap(ordered);
@@ -66,17 +70,29 @@ std::vector<TreeItem> take_loose(std::vector<TreeItem>& items, AccelTables& tabl
 
 constexpr std::uint32_t kLeaf = 4; // primitives of a leaf at most, as a reference counts them
 
+void take_narrow(AccelTables& tables, AccelTables&& narrow) {
+    tables.narrow = std::move(narrow.narrow);
+    tables.narrow_origin = narrow.narrow_origin;
+    tables.narrow_step = narrow.narrow_step;
+    tables.narrow_inflation = narrow.narrow_inflation;
+    tables.stack = std::max(tables.stack, narrow.stack);
+}
+
 void build_tree_of(AccelTables& tables, RayPrimitives& primitives, const AccelRequest& request) {
     const std::uint32_t leaf = std::clamp(request.leaf == 0 ? kLeaf : request.leaf, 1u, kLeaf);
     const bool boxes = request.accel == Accel::bvh;
     std::vector<TreeItem> items = items_of(primitives), order;
     if (boxes) order = take_loose(items, tables);
     const Tree tree = build_tree(std::move(items), leaf, request.threads);
-    if (boxes) add_wide(tables, tree);
-    if (boxes) add_narrow(tables, tree);
-    if (!boxes) add_spheres(tables, tree, spheres_of(primitives));
     order.insert(order.end(), tree.items.begin(), tree.items.end());
-    order_as(primitives, order);
+    const auto spheres = boxes ? std::vector<glm::vec4>{} : spheres_of(primitives);
+    AccelTables narrow;
+    narrow.loose = tables.loose;
+    const std::array<std::function<void()>, 3> rest{[&] { boxes ? add_wide(tables, tree) : add_spheres(tables, tree, spheres); },
+                                                    [&] { boxes ? add_narrow(narrow, tree) : void(); },
+                                                    [&] { order_as(primitives, order); }};
+    run_parallel(rest.size(), request.threads, [&](std::size_t i) { rest[i](); });
+    if (boxes) take_narrow(tables, std::move(narrow));
     tables.node_count = tables.nodes.size() / (boxes ? gpu_layout::kWideTexels : gpu_layout::kSphereNodeTexels);
     tables.reference_count = tree.items.size();
     tables.depth = tree.depth;

@@ -1,5 +1,6 @@
 // Octree of voxels (S23; shaders/shared/rays.h: kOctreeHeaderTexels). In: RayPrimitives, objects a voxel may hold. Out: AccelTables::nodes.
 // Glassner 1984, "Space Subdivision for Fast Ray Tracing". Built level by level, so that a limit on memory cuts all branches alike.
+#include "accel/parallel.h"
 #include "accel/voxels.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace {
 using namespace gpu_layout;
 
 constexpr std::uint32_t kObjects = 4; // that a voxel may hold where nobody asks
-// References that lie in the tree at most; deeper levels are not begun.
-constexpr std::size_t kReferencesEach = 32, kReferencesAtLeast = std::size_t{1} << 20;
+// References at which no deeper level is begun; that one may hold four times as many.
+constexpr std::size_t kReferencesEach = 16, kReferencesAtLeast = std::size_t{1} << 20;
 
 struct Open {
     std::array<std::uint32_t, 3> at{};
@@ -26,6 +27,14 @@ struct Level {
     std::vector<std::uint32_t> numbers;
 };
 
+// What comes of some successive cells of a level, found by one thread: the children of those that are split, eight each.
+struct Piece {
+    std::size_t first = 0, last = 0; // cells
+    std::vector<bool> split{};       // of each
+    Level below{};                   // Open::first counts from the piece's own numbers
+};
+constexpr std::size_t kPiece = 4096; // primitives of a piece's cells, repeats counted, at least
+
 class Octree {
   public:
     Octree(const RayPrimitives& primitives, const AccelRequest& request);
@@ -34,20 +43,24 @@ class Octree {
 
   private:
     Voxel voxel(const std::array<std::uint32_t, 3>& at, std::uint32_t side) const;
-    bool split(const Level& level, const Open& cell, std::uint32_t side, Level& below);
+    bool split(const Level& level, const Open& cell, std::uint32_t side, Level& below) const;
+    std::vector<Piece> pieces_of(const Level& level) const;
+    void split(const Level& level, std::uint32_t side, Piece& piece) const;
+    Level merge(const Level& level, const std::vector<Piece>& pieces);
     void close(const Level& level, const Open& cell);
     static std::array<std::uint32_t, 3> corner(const Open& cell, std::uint32_t child, std::uint32_t side);
 
     VoxelItems items_;
     glm::vec3 origin_{0}, step_{1};
     std::uint32_t objects_, most_depth_, depth_ = 0;
+    unsigned threads_;
     std::vector<std::uint32_t> words_{kNothing}; // the root's name, then 8 a node
     std::vector<std::uint32_t> leaves_, references_;
 };
 
 Octree::Octree(const RayPrimitives& primitives, const AccelRequest& request)
     : items_(primitives), objects_(request.leaf > 0 ? request.leaf : kObjects),
-      most_depth_(request.depth > 0 ? std::min(request.depth, kOctreeDepth) : kOctreeDepth) {
+      most_depth_(request.depth > 0 ? std::min(request.depth, kOctreeDepth) : kOctreeDepth), threads_(request.threads) {
     for (int i = 0; i < 3; ++i) {
         const Voxel& all = items_.all();
         origin_[i] = std::nextafter(static_cast<float>(all.min[i]), -INFINITY);
@@ -82,11 +95,11 @@ void Octree::close(const Level& level, const Open& cell) {
 
 // Not if no child would hold fewer objects (TS-9), nor if the children together hold four times as many: a ray that meets a voxel meets two of
 // its eight children on average, each a quarter of its surface, so that nothing is gained.
-bool Octree::split(const Level& level, const Open& cell, std::uint32_t side, Level& below) {
+bool Octree::split(const Level& level, const Open& cell, std::uint32_t side, Level& below) const {
     const std::size_t first_open = below.open.size(), first_number = below.numbers.size();
     bool fewer = false;
     for (std::uint32_t c = 0; c < 8; ++c) {
-        Open child{corner(cell, c, side / 2), static_cast<std::uint32_t>(below.numbers.size()), 0, words_.size() + c};
+        Open child{corner(cell, c, side / 2), static_cast<std::uint32_t>(below.numbers.size()), 0, 0};
         const Voxel box = voxel(child.at, side / 2);
         for (std::uint32_t i = 0; i < cell.count; ++i)
             if (items_.overlaps(level.numbers[cell.first + i], box)) below.numbers.push_back(level.numbers[cell.first + i]);
@@ -94,14 +107,51 @@ bool Octree::split(const Level& level, const Open& cell, std::uint32_t side, Lev
         fewer = fewer || child.count < cell.count;
         below.open.push_back(child);
     }
-    if (fewer && below.numbers.size() - first_number < 4 * std::size_t{cell.count}) {
-        words_[cell.parent] = static_cast<std::uint32_t>((words_.size() - 1) / 8);
-        words_.resize(words_.size() + 8, kNothing);
-        return true;
-    }
+    if (fewer && below.numbers.size() - first_number < 4 * std::size_t{cell.count}) return true;
     below.open.resize(first_open);
     below.numbers.resize(first_number);
     return false;
+}
+
+std::vector<Piece> Octree::pieces_of(const Level& level) const {
+    std::vector<Piece> pieces;
+    std::size_t primitives = kPiece;
+    for (std::size_t i = 0; i < level.open.size(); ++i) {
+        if (primitives >= kPiece) pieces.push_back({.first = i}), primitives = 0;
+        pieces.back().last = i + 1;
+        primitives += level.open[i].count;
+    }
+    return pieces;
+}
+
+void Octree::split(const Level& level, std::uint32_t side, Piece& piece) const {
+    for (std::size_t i = piece.first; i < piece.last; ++i)
+        piece.split.push_back(level.open[i].count > objects_ && split(level, level.open[i], side, piece.below));
+}
+
+// Names the nodes and leaves in the order of the cells. Returns the level below.
+Level Octree::merge(const Level& level, const std::vector<Piece>& pieces) {
+    Level below;
+    for (const Piece& piece : pieces) {
+        const auto offset = static_cast<std::uint32_t>(below.numbers.size());
+        std::size_t child = 0;
+        for (std::size_t i = piece.first; i < piece.last; ++i) {
+            if (piece.split.empty() || !piece.split[i - piece.first]) {
+                close(level, level.open[i]);
+                continue;
+            }
+            words_[level.open[i].parent] = static_cast<std::uint32_t>((words_.size() - 1) / 8);
+            for (std::size_t c = 0; c < 8; ++c) {
+                Open open = piece.below.open[child++];
+                open.first += offset;
+                open.parent = words_.size() + c;
+                below.open.push_back(open);
+            }
+            words_.resize(words_.size() + 8, kNothing);
+        }
+        below.numbers.insert(below.numbers.end(), piece.below.numbers.begin(), piece.below.numbers.end());
+    }
+    return below;
 }
 
 // A walk that stands in an empty leaf reads the first one all the same: there is always one, if only of no references.
@@ -111,13 +161,11 @@ void Octree::build() {
     for (std::size_t n = 0; n < items_.size(); ++n) level.numbers.push_back(static_cast<std::uint32_t>(n));
     level.open.push_back({{}, 0, static_cast<std::uint32_t>(items_.size()), 0});
     for (std::uint32_t side = kOctreeSide, depth = 0; !level.open.empty(); side /= 2, ++depth) {
-        Level below;
         depth_ = depth;
-        for (const Open& cell : level.open) {
-            const bool room = references_.size() + below.numbers.size() < most && depth < most_depth_;
-            if (cell.count <= objects_ || !room || !split(level, cell, side, below)) close(level, cell);
-        }
-        level = std::move(below);
+        auto pieces = pieces_of(level);
+        const bool room = references_.size() + level.numbers.size() < most && depth < most_depth_;
+        if (room) run_parallel(pieces.size(), threads_, [&](std::size_t i) { split(level, side, pieces[i]); });
+        level = merge(level, pieces);
     }
     if (leaves_.empty()) leaves_.assign(2, 0);
 }

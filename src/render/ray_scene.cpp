@@ -50,7 +50,7 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
     RayScene out;
     out.accel = build_accel(primitives, request_of(plan));
     out.effects = effects_of(primitives, plan);
-    out.stack = out.accel.stack + 2; // what ends the walk, and one that is written before it is known whether it stays
+    out.stack = std::max(out.accel.stack, 2u);
     if (!out.accel.narrow.empty()) prepend_planes(out.accel);
     out.nodes = table(device, out, "nodes", out.accel.nodes, FETCH_NODES);
     out.narrow = table(device, out, "narrow", out.accel.narrow, FETCH_NARROW);
