@@ -43,6 +43,20 @@ void put_down_walk(uint slot, Walk w, RayHit hit) {
     for (uint i = 0u; i < (w.node == kNothing ? 0u : w.top); ++i) walk_words[at + kRayWalkWords + i] = stack[i];
 }
 
+// What a shadow ray has passed so far.
+void take_up_light(uint slot, out vec3 clear) {
+    uint at = slot * (kRayWalkWords + kStack) + 8u;
+    clear = uintBitsToFloat(uvec3(walk_words[at], walk_words[at + 1u], walk_words[at + 2u]));
+    ray.after_number = walk_words[at + 3u], ray.after = uintBitsToFloat(walk_words[at + 4u]);
+}
+
+void put_down_light(uint slot, vec3 clear) {
+    uint at = slot * (kRayWalkWords + kStack) + 8u;
+    uvec3 words = floatBitsToUint(clear);
+    walk_words[at] = words.x, walk_words[at + 1u] = words.y, walk_words[at + 2u] = words.z;
+    walk_words[at + 3u] = ray.after_number, walk_words[at + 4u] = floatBitsToUint(ray.after);
+}
+
 void count_unfinished(bool done) {
     if (!done) atomicAdd(counters.unfinished, 1u);
 }

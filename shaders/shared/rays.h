@@ -166,7 +166,7 @@ struct RayWalk {
     RayHit hit;
     vec3 clear; uint after_number;
     float after;
-    uint light; // of a shadow walk: done or not is kept for each
+    uint pad0;
 };
 const uint kRayWalkWords = 14u;
 

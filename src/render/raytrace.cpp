@@ -52,7 +52,10 @@ std::uint32_t effects_for(RayPass pass, const Plan& plan) {
     constexpr std::uint32_t kArriving = EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT | EFFECT_ATTENUATION_NONE |
                                         EFFECT_ATTENUATION_LINEAR | EFFECT_ATTENUATION_INVERSE_SQUARE;
     const std::uint32_t effects = plan.effects & ~(EFFECT_TWO_SIDED | EFFECT_VANISHING_NORMALS);
-    if (pass == RayPass::shadow) return effects & kArriving;
+    // Of surfaces that light passes through: how clear they are.
+    constexpr std::uint32_t kClear =
+        EFFECT_TRANSPARENCY | EFFECT_TEXTURE_ALPHA | EFFECT_TEXTURE | EFFECT_ANY_MAPPING | EFFECT_MANY_MATERIALS;
+    if (pass == RayPass::shadow) return effects & (plan.ray_effects & RAY_CLEAR_SHADOWS ? kArriving | kClear : kArriving);
     return effects;
 }
 
@@ -109,6 +112,7 @@ class TileTracer {
     RayPush push_for(const Generation& g) const;
     gpu::Bindings with_structure(gpu::Bindings bindings);
     gpu::Bindings with_primitives(gpu::Bindings bindings);
+    gpu::Bindings with_meshes(gpu::Bindings bindings);
     void compute(const char* name, RayPass pass, gpu::Bindings bindings, const RayPush& push, std::uint32_t more = 0,
                  std::uint32_t layers = 1);
     RayCounters submit();
@@ -155,6 +159,16 @@ gpu::Bindings TileTracer::with_structure(gpu::Bindings bindings) {
     offer_table(bindings, "narrow", t_.scene.narrow);
     if (b_.walks) bindings.emplace_back("Walks", b_.walks);
     return with_primitives(std::move(bindings));
+}
+
+// With what tells of a hit how its surface is there.
+gpu::Bindings TileTracer::with_meshes(gpu::Bindings bindings) {
+    offer_table(bindings, "materials", w_.scene.materials);
+    offer_table(bindings, "texels", w_.scene.texels);
+    offer_table(bindings, "corners", t_.scene.corners);
+    offer_table(bindings, "normals", w_.scene.normals);
+    offer_table(bindings, "detail", w_.scene.detail);
+    return bindings;
 }
 
 gpu::Bindings TileTracer::with_primitives(gpu::Bindings bindings) {
@@ -212,26 +226,24 @@ void TileTracer::record_trace(const Generation& g, std::uint32_t resume) {
 }
 
 void TileTracer::record_shade(const Generation& g) {
-    gpu::Bindings bindings = with_primitives({{"Points", b_.points}, {"NextRays", b_.rays[1 - now_]}, {"Tree", b_.tree}});
+    gpu::Bindings bindings = with_meshes(with_primitives({{"Points", b_.points}, {"NextRays", b_.rays[1 - now_]}, {"Tree", b_.tree}}));
     offer_table(bindings, "rays", b_.rays[now_]);
     offer_table(bindings, "hits", b_.hits);
     offer_table(bindings, "hit_rays", b_.hit_rays);
-    offer_table(bindings, "materials", w_.scene.materials);
-    offer_table(bindings, "texels", w_.scene.texels);
-    offer_table(bindings, "corners", t_.scene.corners);
-    offer_table(bindings, "normals", w_.scene.normals);
-    offer_table(bindings, "detail", w_.scene.detail);
     offer_table(bindings, "media", b_.media[now_]);
     if (b_.media[1 - now_]) bindings.emplace_back("NextMedia", b_.media[1 - now_]);
     compute("shade", RayPass::shade, std::move(bindings), push_for(g));
 }
 
 void TileTracer::record_shadows(const Generation&, RayPush push, std::uint32_t lights) {
-    gpu::Bindings bindings = with_structure({{"Visibility", b_.visibility}});
+    gpu::Bindings bindings = with_meshes(with_structure({{"Visibility", b_.visibility}}));
     offer_table(bindings, "points", b_.points);
     offer_table(bindings, "lights", w_.scene.lights);
-    offer_table(bindings, "materials", w_.scene.materials);
-    compute("shadow", RayPass::shadow, std::move(bindings), push, b_.walks ? RAY_RESUME : packets(), lights);
+    compute("shadow", RayPass::shadow, std::move(bindings), push,
+            b_.walks                                  ? RAY_RESUME
+            : w_.plan.ray_effects & RAY_CLEAR_SHADOWS ? 0
+                                                      : packets(),
+            lights);
 }
 
 void TileTracer::record_light(const Generation&, const RayPush& push) {
