@@ -16,7 +16,6 @@ struct BadOption {
 };
 
 const BadOption kBad[] = {
-    {{"--method", "raytrace"}, "--method: raytrace is not in this version"},
     {{"--method", "radiosity"}, "--method: radiosity is not in this version"},
     {{"--method", "voodoo"}, "--method: \"voodoo\" is unknown; it must be raster"},
     {{"--shading", "fong"}, "--shading: \"fong\" is unknown; it must be flat, gouraud or phong"},
@@ -50,11 +49,10 @@ const BadOption kBad[] = {
     {{"--filter-width", "2"}, "--filter-width: belongs to --filter gaussian, which is not in this version"},
     {{"--contrast", "0.1,0.1,0.1"}, "--contrast: belongs to --sampling adaptive"},
     {{"--max-level", "3"}, "--max-level: belongs to --sampling adaptive"},
-    {{"--depth", "3"}, "--depth: belongs to --method raytrace"},
-    {{"--cutoff", "0.1"}, "--cutoff: belongs to --method raytrace"},
-    {{"--opaque-shadows"}, "--opaque-shadows: belongs to --method raytrace"},
-    {{"--accel", "bvh"}, "--accel: belongs to --method raytrace"},
-    {{"--accel-param", "n=3"}, "--accel-param: belongs to --method raytrace"},
+    {{"--depth", "0"}, "--depth: 0 sees nothing"},
+    {{"--depth", "256"}, "--depth: \"256\" must be a whole number from 1 to 255"},
+    {{"--cutoff", "1.5"}, "--cutoff: \"1.5\" must be a weight from 0 to 1"},
+    {{"--accel", "kd-tree"}, "--accel: \"kd-tree\" is unknown"},
     {{"--hemicube", "50"}, "--hemicube: belongs to --method radiosity"},
     {{"--patch", "0.1"}, "--patch: belongs to --method radiosity"},
     {{"--solver", "full"}, "--solver: belongs to --method radiosity"},
@@ -82,7 +80,7 @@ TEST_P(BadOptions, AreRefused) {
 INSTANTIATE_TEST_SUITE_P(All, BadOptions, ::testing::ValuesIn(kBad));
 
 TEST_F(Cli, AllProblemsOfACommandLineAreToldTogether) {
-    const Ran ran = run({"render", scene(kBall), "-o", in_folder("x.jpg"), "--spp", "3", "--shading", "fong", "--depth", "2"});
+    const Ran ran = run({"render", scene(kBall), "-o", in_folder("x.jpg"), "--spp", "3", "--shading", "fong", "--depth", "0"});
     EXPECT_EQ(ran.code, 2);
     for (const char* part : {"-o: ", "--spp: ", "--shading: ", "--depth: "}) EXPECT_THAT(ran.err, HasSubstr(part));
 }

@@ -30,11 +30,13 @@ TEST(PlanEffects, OneDirectionalLightAndNoSpecularMaterial) {
 }
 
 TEST(PlanEffects, EveryRowHasItsOwnBitAndEveryEffectALine) {
-    std::uint32_t bits = 0;
+    std::uint32_t bits = 0, ray_bits = 0;
     for (const Effect& effect : effects()) {
         EXPECT_EQ(bits & effect.bit, 0u) << effect.name;
-        bits |= effect.bit;
-        EXPECT_EQ(effect.bit == 0, !effect.instead.empty()) << effect.name << ": what is not drawn must say what is drawn instead";
+        EXPECT_EQ(ray_bits & effect.ray_bit, 0u) << effect.name;
+        EXPECT_NE(effect.bit | effect.ray_bit, 0u) << effect.name;
+        bits |= effect.bit, ray_bits |= effect.ray_bit;
+        if (!effect.instead.empty()) EXPECT_EQ(effect.bit, 0u) << effect.name << ": drawn, and something else in its place";
     }
     EXPECT_EQ(bits, (EFFECT_TEXTURE_ALPHA << 1) - 1) << "a bit of shared/effects.h has no row";
     const Plan plan = plan_of(lit_sphere());
@@ -143,10 +145,53 @@ TEST(PlanEffects, WhatIsNotDrawnYetSaysWhatIsDrawnInstead) {
     Material& m = scene.materials[0];
     m.transmission = glm::vec3(0.1f), m.reflection = glm::vec3(0.2f), m.fresnel = true, m.scatter = 0.1f, m.dispersion = {1.5f, 0.01f};
     const Plan plan = plan_of(scene);
-    EXPECT_EQ(reason_of(plan.fallbacks, "scatter"), "1 material: drawn as if polished; not in the rasteriser of this version");
+    EXPECT_EQ(reason_of(plan.fallbacks, "scatter"), "1 material: drawn as if polished; the rasteriser knows no rays");
     for (const char* name : {"transmission", "reflection", "fresnel", "dispersion"})
         EXPECT_NE(reason_of(plan.fallbacks, name), "(none)") << name;
     EXPECT_EQ(plan.effects, EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_TRANSPARENCY | EFFECT_TWO_SIDED) << "opacity 1 - kt";
+}
+
+Plan ray_plan_of(const Scene& scene, Request request = {}) {
+    request.method = Method::raytrace;
+    return decide(gather_facts(scene), request);
+}
+
+TEST(PlanEffects, RaysAreSentOnlyWhereAMaterialSendsThem) {
+    Scene scene = lit_sphere();
+    const Plan plain = ray_plan_of(scene);
+    EXPECT_EQ(plain.ray_effects, RAY_SHADOWS);
+    EXPECT_FALSE(plain.runs("gather"));
+    EXPECT_EQ(reason_of(plain.skipped, "reflection"), "every kr is 0");
+    Material& m = scene.materials[0];
+    m.specular = glm::vec3(0.1f);
+    EXPECT_EQ(ray_plan_of(scene).ray_effects, RAY_SHADOWS | RAY_REFLECTED) << "kr is ks where none is named";
+    m.reflection = glm::vec3(0);
+    EXPECT_EQ(ray_plan_of(scene).ray_effects, RAY_SHADOWS);
+    m.transmission = glm::vec3(0.5f);
+    const Plan glass = ray_plan_of(scene);
+    EXPECT_EQ(glass.ray_effects, RAY_SHADOWS | RAY_CLEAR_SHADOWS | RAY_REFRACTED);
+    EXPECT_FALSE(glass.effects & EFFECT_TRANSPARENCY) << "what is transmitted is refracted, not blended";
+    EXPECT_TRUE(glass.runs("gather"));
+    m.opacity = glm::vec3(0.5f);
+    EXPECT_TRUE(ray_plan_of(scene).ray_effects & RAY_STRAIGHT);
+}
+
+TEST(PlanEffects, RaysWithoutLightsCastNoShadows) {
+    const Plan plan = ray_plan_of(bare_sphere());
+    EXPECT_EQ(plan.ray_effects, 0u);
+    EXPECT_FALSE(plan.runs("shadow"));
+    EXPECT_EQ(reason_of(plan.skipped, "shadows"), "nothing is lit");
+}
+
+TEST(PlanEffects, WhatRaysAreAskedForIsInThePlan) {
+    Scene scene = lit_sphere();
+    scene.materials[0].specular = glm::vec3(0.1f), scene.materials[0].opacity = glm::vec3(0.5f);
+    Request request;
+    request.cutoff = 0.01f, request.count = true, request.opaque_shadows = true, request.depth = 7;
+    const Plan plan = ray_plan_of(scene, request);
+    EXPECT_EQ(plan.ray_effects, RAY_SHADOWS | RAY_REFLECTED | RAY_STRAIGHT | RAY_CUTOFF | RAY_COUNT);
+    EXPECT_EQ(plan.depth, 7u);
+    EXPECT_NE(reason_of(plan.skipped, "shadows: through what is clear").find("--opaque-shadows"), std::string::npos);
 }
 
 TEST(PlanEffects, CookTorranceByDistribution) {
