@@ -392,7 +392,9 @@ bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
     record_eye(tile);
     for (std::size_t i = 0; i < generations_.size(); ++i) {
         const Generation g = generations_[i];
+        const unsigned now = now_;
         if (!run_generation(g)) return false;
+        if (w_.observe) w_.observe(g.first, g.count, now);
     }
     gather_and_film(tile, image);
     return true;

@@ -53,6 +53,8 @@ struct RayWork {
     const RasterGeometry& geometry;
     gpu::Timings& times;                  // appended
     std::function<void(double)> progress; // may be empty; the share of the frame that is done
+    // May be empty; after each generation: its first node, its rays, and in which of the two buffers they are.
+    std::function<void(std::uint32_t, std::uint32_t, unsigned)> observe{};
 };
 
 // Dispatches every pipeline once without work: drivers compile at the first dispatch, which is not the time that tracing takes.
