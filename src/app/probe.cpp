@@ -160,7 +160,7 @@ glm::uvec2 parse_pixel(const std::string& text, Problems& problems) {
     const auto comma = std::min(text.find(','), text.size());
     const auto x = parse_whole<std::uint32_t>(std::string_view(text).substr(0, comma)),
                y = parse_whole<std::uint32_t>(std::string_view(text).substr(std::min(comma + 1, text.size())));
-    if (!x || !y) problems.push_back({"X,Y", 0, 0, fmt::format("\"{}\" is not a pixel; right would be X,Y like 320,240", text)});
+    if (!x || !y) problems.push_back({"PIXEL", 0, 0, fmt::format("\"{}\" is not a pixel; right would be X,Y like 320,240", text)});
     return {x.value_or(0), y.value_or(0)};
 }
 
@@ -183,7 +183,11 @@ Probe trace(gpu::Device& device, const Scene& scene, Request request, glm::uvec2
     request.method = Method::raytrace, request.shading = Shading::phong;
     Prepared prepared = prepare(traced, request);
     if (drawn) prepared.plan.ray_effects &= ~(RAY_SHADOWS | RAY_CLEAR_SHADOWS | RAY_CUTOFF);
-    return probe_pixel(device, traced, prepared.geometry, prepared.plan, prepared.view, pixel);
+    Probe tree = probe_pixel(device, traced, prepared.geometry, prepared.plan, prepared.view, pixel);
+    for (ProbedRay& ray : tree.rays)
+        for (ProbedStop& stop : ray.stops)
+            if (drawn && stop.branch != "straight") stop.reason = "the rasteriser sends none";
+    return tree;
 }
 
 dvec3 drawn_radiance(gpu::Device& device, Scene scene, const Request& request) {
@@ -224,7 +228,7 @@ void add_probe(CLI::App& app, int&) {
     auto arguments = std::make_shared<ProbeArguments>();
     CLI::App* sub = app.add_subcommand("probe", "a pixel explained: its equation term by term, and its ray tree");
     declare_scene_options(*sub, arguments->given);
-    sub->add_option("X,Y", arguments->pixel, "the pixel; 0,0 is the upper left one")->required();
+    sub->add_option("PIXEL", arguments->pixel, "the pixel; 0,0 is the upper left one")->required()->type_name("X,Y");
     sub->add_flag("--json", arguments->json, "as JSON");
     sub->callback([arguments] { probe(*arguments); });
 }
