@@ -42,6 +42,7 @@ void main() {
     if (first) color = shade(s, m) + mirrored(s, m);
     else if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) color = sum_lights(s, m, kPartAll);
     if (wants(EFFECT_TRANSPARENCY)) color *= p.opacity;
+    uint at = kRayNodeTexels * (push.first + from);
     vec3 before = vec3(0.0);
     if (push.more != 0u) before = uintBitsToFloat(fetch_tree(at).xyz);
     node_words[at] = uvec4(floatBitsToUint(before + color), p.children);
