@@ -38,7 +38,9 @@ void main() {
     if (wants(EFFECT_ANY_TEXTURE)) m.diffuse = p.diffuse;
     Surface s = Surface(p.position, p.normal, -uintBitsToFloat(fetch_rays(kRayTexels * from + 1u).xyz));
     bool first = push.first_light == 0u;
-    vec3 color = first ? shade(s, m) + mirrored(s, m) : sum_lights(s, m, kPartAll);
+    vec3 color = vec3(0.0);
+    if (first) color = shade(s, m) + mirrored(s, m);
+    else if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) color = sum_lights(s, m, kPartAll);
     if (wants(EFFECT_TRANSPARENCY)) color *= p.opacity;
     uint at = kRayNodeTexels * (push.first + from);
     vec3 before = vec3(0.0);

@@ -263,6 +263,8 @@ Verdict counters(const Facts&, const Request& r) {
 }
 
 Verdict reflection(const Facts& f, const Request& r) {
+    if (traces(r) && f.reflective_materials == 0 && f.transmissive_materials > 0)
+        return yes("every kr is 0, but {} transmit and reflect beyond the critical angle", counted(f.transmissive_materials, "material"));
     if (traces(r)) return of_materials(f.reflective_materials, "every kr is 0");
     if (f.mirror_materials > 0) return yes("{}", counted(f.mirror_materials, "mirror"));
     if (f.reflective_materials > 0) return no("no material names one (kr = ks counts where rays are traced)");

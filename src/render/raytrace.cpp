@@ -342,10 +342,12 @@ bool TileTracer::run_generation(const Generation& g) {
     const auto hits = find_hits(g);
     if (!hits) return false;
     if (generations_.size() == 1) t_.counts.eye += g.count, t_.counts.eye_hit += *hits;
+    if (*hits == 0 && w_.observe) w_.observe({g.first, g.count, 0, now_});
     if (*hits == 0) return true;
     const auto c = shade_hits({g.first, *hits});
     if (!c || c->children > room()) return false;
     add(*c);
+    if (w_.observe) w_.observe({g.first, g.count, *hits, now_});
     generations_.back().sends = c->children > 0;
     next_ += c->children;
     if (c->children == 0) return true;

@@ -45,14 +45,21 @@ struct RayFrame {
     glm::vec3 ambient{0}, background{0};
 };
 
+// Of a tile's rays: node of the first, their number, how many hit something, and which of the two buffers holds them.
+struct TracedGeneration {
+    std::uint32_t first = 0, count = 0, hits = 0;
+    unsigned buffer = 0;
+};
+
 struct RayWork {
     gpu::Device& device;
     gpu::Recorder& recorder; // submitted on the way
     const Plan& plan;
     GpuScene& scene;
     const RasterGeometry& geometry;
-    gpu::Timings& times;                  // appended
-    std::function<void(double)> progress; // may be empty; the share of the frame that is done
+    gpu::Timings& times;                                    // appended
+    std::function<void(double)> progress;                   // may be empty; the share of the frame that is done
+    std::function<void(const TracedGeneration&)> observe{}; // may be empty; when a generation is shaded, its buffers as they were left
 };
 
 // Dispatches every pipeline once without work: drivers compile at the first dispatch, which is not the time that tracing takes.
