@@ -8,8 +8,8 @@
 namespace lightbench::cli {
 namespace {
 
-using ::testing::HasSubstr;
 using nlohmann::json;
+using ::testing::HasSubstr;
 
 // Straight down on a plane: N.L, distances and terms are whole numbers, by hand.
 const char* const kDown = R"([film]
@@ -89,7 +89,8 @@ TEST_F(Probe, TheEquationHasTheNumbersOfTheScene) {
 }
 
 TEST_F(Probe, EveryBranchSaysWhyItEnds) {
-    EXPECT_EQ(branch(probed(kDown, "32,24", {"--method", "raytrace", "--depth", "1"})["rays"][0], "reflected"), "the depth of 1 is reached");
+    EXPECT_EQ(branch(probed(kDown, "32,24", {"--method", "raytrace", "--depth", "1"})["rays"][0], "reflected"),
+              "the depth of 1 is reached");
     EXPECT_THAT(branch(probed(kDown, "32,24", {"--method", "raytrace", "--cutoff", "0.6"})["rays"][0], "reflected").get<std::string>(),
                 HasSubstr("cutoff of 0.6"));
     const std::string down = kDown;
@@ -124,15 +125,15 @@ TEST_F(Probe, TheRasteriserHasOneHitAndNoShadows) {
     EXPECT_EQ(drawn["method"], "raster");
     EXPECT_EQ(drawn["rays"].size(), 1u);
     EXPECT_EQ(drawn["rays"][0]["hit"]["object"], traced["rays"][0]["hit"]["object"]);
-    for (int c = 0; c < 3; ++c)
-        EXPECT_NEAR(drawn["radiance"][c].get<double>(), drawn["rays"][0]["hit"]["sum"][c].get<double>(), 5e-3);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(drawn["radiance"][c].get<double>(), drawn["rays"][0]["hit"]["sum"][c].get<double>(), 5e-3);
 }
 
 TEST_F(Probe, ThePixelIsThatOfTheImage) {
     const std::string path = scene(kDown);
     const Ran text = run({"probe", path, "10,40", "--method", "raytrace"});
     EXPECT_EQ(text.code, 0) << text.err;
-    for (const char* part : {"pixel 10, 40", "eye ray, level 1", "N.L", "attenuation", "no refracted ray: kt = 0", "stops: it leaves the scene"})
+    for (const char* part :
+         {"pixel 10, 40", "eye ray, level 1", "N.L", "attenuation", "no refracted ray: kt = 0", "stops: it leaves the scene"})
         EXPECT_THAT(text.out, HasSubstr(part));
 }
 
