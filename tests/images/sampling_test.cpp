@@ -61,6 +61,11 @@ Scene half_plane(double degrees) {
     Scene scene = plane_scene({0, 0, 1});
     scene.environment.background = glm::vec3(0);
     scene.cameras[0].up = {0, 1, 0};
+    scene.materials.push_back(scene.materials[0]);
+    Object behind; // the camera; lit
+    behind.shape = Sphere{{0, 0, 9}, 1}, behind.material = 1;
+    scene.objects.push_back(behind);
+    scene.lights = {point_light({0, 0, 5}, glm::vec3(1))};
     scene.materials[0].diffuse = glm::vec3(0), scene.materials[0].emission = glm::vec3(1);
     const double a = degrees * std::numbers::pi / 180;
     const glm::dvec3 along(std::cos(a), std::sin(a), 0), below(std::sin(a), -std::cos(a), 0);
