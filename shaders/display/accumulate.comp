@@ -12,6 +12,8 @@ layout(set = 0, binding = 1, rgba32f) uniform image2D sum;
 void main() {
     uvec2 at = gl_GlobalInvocationID.xy;
     if (at.x >= push.size.x || at.y >= push.size.y) return;
-    vec4 before = push.first != 0u ? vec4(0.0) : imageLoad(sum, ivec2(at));
-    imageStore(sum, ivec2(at), before + push.weight * imageLoad(frame, ivec2(at)));
+    vec4 before = push.mode == ACCUMULATE_FIRST ? vec4(0.0) : imageLoad(sum, ivec2(at));
+    vec4 added = imageLoad(frame, ivec2(at));
+    if (push.mode == ACCUMULATE_MEAN) added -= before;
+    imageStore(sum, ivec2(at), before + push.weight * added);
 }

@@ -6,7 +6,6 @@
 #include "shared/effects.h"
 #include "shared/rays.h"
 #include "fetch.glsl"
-#include "lib/random.glsl"
 #include "lib/vector.glsl"
 #include "raytrace/pack.glsl"
 #include "raytrace/tile.glsl"
@@ -22,6 +21,8 @@ layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_me
 
 bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
 
+#include "raytrace/sample.glsl"
+
 // Point of the image, pixels, (0, 0) its upper left corner; and what numbers of the ray are drawn from.
 vec2 image_point(uint i, out uint key) {
     if (wants_ray(RAY_LIST)) {
@@ -30,11 +31,8 @@ vec2 image_point(uint i, out uint key) {
         return uintBitsToFloat(p.xy);
     }
     uvec2 pixel = uvec2(push.tile_x, push.tile_y) + tile_pixel(i, uvec2(push.tile_size & 0xffffu, push.tile_size >> 16u));
-    uvec4 words = hash4(uvec4(pixel, push.sample_index, push.seed));
-    key = words.z;
-    vec2 within = push.shift;
-    if (wants_ray(RAY_JITTER)) within += push.cell * vec2(words.xy >> 8u) * 5.9604645e-8;
-    return vec2(pixel) + within;
+    vec2 within = sample_within(pixel, push.sample_index, push.seed, push.shift, push.cell, key);
+    return vec2(ivec2(pixel)) + within; // pixels beside the image, which a wide filter sees, have negative coordinates too
 }
 
 void main() {

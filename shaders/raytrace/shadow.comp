@@ -1,5 +1,5 @@
 // How much of each light reaches each point (S15): one invocation a point and a light, one layer of work groups a light. In: points,
-// lights, primitives. Out: visibility per channel; 1 where the light is not asked for, since its terms are 0 there.
+// lights, primitives. Out: visibility per channel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -86,7 +86,8 @@ void main() {
     if (wants_ray(RAY_CLEAR_SHADOWS)) done = pass_through(hit, w, clear, limit);
     else done = walk(hit, true, w), clear = vec3(hit.ref == kNothing ? 1.0 : 0.0);
     if (live) {
-        visible[(push.layer + layer) * push.count + i] = vec4(clear, 0.0);
+        // A light behind the face is hidden by the surface itself, whatever the shading normal says (LI-3).
+        visible[(push.layer + layer) * push.count + i] = asked ? vec4(clear, 0.0) : vec4(0.0);
         if (wants_ray(RAY_RESUME)) {
             put_down_walk(i, w, hit);
             if (wants_ray(RAY_CLEAR_SHADOWS)) put_down_light(i, clear);

@@ -156,8 +156,11 @@ struct DisplayPush {
 struct AccumulatePush {
     uvec2 size;        // pixels
     float weight;      // of the frame that is added
-    uint first;        // 1: the sum is written, not added to
+    uint mode;         // ACCUMULATE_...
 };
+#define ACCUMULATE_ADD 0u
+#define ACCUMULATE_FIRST 1u // the sum is written, not added to
+#define ACCUMULATE_MEAN 2u  // a running mean: equal frames stay what they are, to the bit
 
 // Written by display/display.comp before any clamp.
 struct Census {

@@ -208,8 +208,30 @@ struct EyePush {
 };
 
 struct FilmPush {
-    uint tile_x, tile_y, tile_size;    // as EyePush
+    uint tile_x, tile_y, tile_size;    // as EyePush; tile_x of a list: the first of its points
     uint count;
+};
+
+// S25: of one frame.
+struct FilterPush {
+    uvec2 corner, size;                // of the crop, pixels
+    vec2 shift;                        // as EyePush
+    float cell;
+    uint seed, sample_index;
+    float radius, sigma;               // pixels
+    uint margin;                       // of the frame around the crop, pixels
+    uint first;                        // 1: the means begin with this frame
+};
+
+// S26: of a band of pixels.
+const uint kMaxLatticeLevels = 6u;
+struct LatticePush {
+    uvec2 corner, size;                // of the band, pixels
+    uint levels;                       // points lie 2^-levels pixels apart
+    uint level;                        // of this pass
+    uint count;                        // invocations
+    uint seed;
+    vec3 contrast;
 };
 
 struct GatherPush {

@@ -8,6 +8,8 @@ namespace {
 
 constexpr std::int64_t kMaxFrames = 100000;
 
+} // namespace
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (std::size_t at; (at = text.find(separator)) != std::string_view::npos; text.remove_prefix(at + 1))
@@ -15,8 +17,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     parts.push_back(text);
     return parts;
 }
-
-} // namespace
 
 std::optional<glm::uvec2> parse_size(std::string_view text) {
     const auto parts = split(text, 'x');
@@ -44,6 +44,29 @@ std::optional<FrameRange> parse_range(std::string_view text) {
     const auto first = parse_integer(parts[0]), last = parse_integer(parts[1]);
     if (!first || !last || *first > *last || std::int64_t{*last} - *first >= kMaxFrames) return std::nullopt;
     return FrameRange{*first, *last};
+}
+
+std::optional<glm::vec3> parse_contrast(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 3) return std::nullopt;
+    glm::vec3 contrast;
+    for (int i = 0; i < 3; ++i) {
+        const auto value = parse_number<0, 1>(parts[static_cast<std::size_t>(i)]);
+        if (!value) return std::nullopt;
+        contrast[i] = static_cast<float>(*value);
+    }
+    return contrast;
+}
+
+// A pixel's own sample lies at most 0.71 pixels from its middle: a radius of 1 always has one. Sigma is a third of the radius unless it is
+// given, as in the default of 1.5 and 0.5: the bell is cut where it is down to 1/90.
+std::optional<glm::vec2> parse_filter(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() > 2) return std::nullopt;
+    const auto radius = parse_number<1, 16>(parts[0]);
+    const auto sigma = parts.size() == 2 ? parse_number<0, 16>(parts[1]) : radius ? std::optional(*radius / 3) : std::nullopt;
+    if (!radius || !sigma || *sigma < 0.1) return std::nullopt;
+    return glm::vec2(*radius, *sigma);
 }
 
 } // namespace lightbench

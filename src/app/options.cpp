@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include "app/accel_parameters.h"
 #include "app/numbers.h"
 
 #include <CLI/CLI.hpp>
@@ -26,11 +27,14 @@ constexpr OptionRow kOptions[] = {
     {"--camera", "NAME", "one of the scene's cameras; default the first"},
     {"--frame", "N", "turntable: the camera turned by 3 N degrees about the target"},
     {"--frames", "A:B", "frames A to B, both included; -o with %04d"},
-    {"--sampling", "PATTERN", "of the samples of a pixel: none, uniform, jittered"},
+    {"--sampling", "PATTERN", "of the samples of a pixel: none, uniform, jittered, adaptive (raytrace: where neighbours differ)"},
     {"--spp", "N", "samples a pixel, a square; 1 and 4 are multisampling unless a pattern is named"},
     {"--seed", "N", "of everything random; default 0"},
     {"--exposure", "STOPS", "the picture is multiplied by 2^STOPS before it is displayed"},
-    {"--filter", "box", "reconstruction: box, one pixel wide"},
+    {"--filter", "NAME", "reconstruction: box, one pixel wide, or gaussian (raytrace)"},
+    {"--filter-width", "R[,SIGMA]", "of the Gaussian: its radius, pixels, 1 to 16, and its sigma; default 1.5, and a third of the radius"},
+    {"--contrast", "R,G,B", "of adaptive sampling: (max - min) / (max + min) above which it splits; default 0.25,0.2,0.4"},
+    {"--max-level", "N", "of adaptive sampling: times that a pixel is split in four at most, 0 to 6; default 2"},
     {"--precision", "float32", "float32"},
     {"--terms", nullptr, "with an .exr: one layer for each term of the model, and normal, depth, object"},
     {"--stats", "FILE", "JSON about the run; - for standard output"},
@@ -43,10 +47,7 @@ constexpr OptionRow kOptions[] = {
     {"--cutoff", "X", "rays of a smaller weight are not sent; default 0"},
     {"--opaque-shadows", nullptr, "what one can see through casts shadows all the same"},
     {"--accel", "NAME", "structure that rays walk through: none, bvh (default), sphere-bvh, grid, octree"},
-    {"--accel-param", "k=v", "of the structure: leaf, cells, density, depth"},
-    {"--filter-width", "R", "", "--filter gaussian"},
-    {"--contrast", "R,G,B", "", "--sampling adaptive"},
-    {"--max-level", "N", "", "--sampling adaptive"},
+    {"--accel-param", "k=v", "of the structure: leaf=N, cells=L,M,N, density=X, depth=N; several, with commas or again"},
     {"--hemicube", "N", "", "--method radiosity"},
     {"--patch", "SIZE", "", "--method radiosity"},
     {"--solver", "NAME", "", "--method radiosity"},
@@ -92,10 +93,10 @@ void parse_choices(Parser& p, SceneOptions& o) {
     if (const auto i = p.choice("--method", {"raster", "raytrace"}, {"radiosity"})) o.request.method = static_cast<Method>(*i);
     if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"}, {}))
         o.request.accel = static_cast<Structure>(*i);
-    p.choice("--filter", {"box"}, {"gaussian"});
+    if (const auto i = p.choice("--filter", {"box", "gaussian"}, {})) o.request.filter = static_cast<Filter>(*i);
     p.choice("--precision", {"float32"}, {"float64"});
     if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"}, {})) o.request.shading = static_cast<Shading>(*i);
-    if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered"}, {"adaptive"}))
+    if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered", "adaptive"}, {}))
         o.request.sampling = static_cast<Sampling>(*i);
     if (const auto i = p.choice("--progress", {"auto", "always", "never"}, {})) o.progress = static_cast<Progress>(*i);
 }
@@ -119,12 +120,31 @@ void parse_rays(Parser& p, Request& r) {
     });
     p.value("--cutoff", parse_number<0, 1>, "a weight from 0 to 1", [&](double x) { r.cutoff = static_cast<float>(x); });
     r.opaque_shadows = p.has("--opaque-shadows"), r.count = p.has("--count");
+    if (p.has("--accel-param"))
+        for (std::string& text : parse_accel_parameters(p.text("--accel-param"), r.accel, r.accel_parameters))
+            p.problem("--accel-param", std::move(text));
+}
+
+// Samples of an adaptive picture are shared between pixels and counted by none of them.
+void parse_adaptive(Parser& p, Request& r) {
+    if (r.method != Method::raytrace) p.problem("--sampling", "adaptive sampling needs rays: --method raytrace");
+    if (r.spp > 1)
+        p.problem("--spp", fmt::format("{} samples a pixel, but --sampling adaptive chooses their number; --max-level bounds it", r.spp));
+    if (r.filter != Filter::box) p.problem("--filter", "adaptive sampling takes the mean over each pixel: it must be box");
+    p.value("--contrast", parse_contrast, "R,G,B, three numbers from 0 to 1", [&](const glm::vec3& c) { r.contrast = c; });
+    p.value("--max-level", parse_unsigned<6>, "a whole number from 0 to 6", [&](std::uint32_t n) { r.max_level = n; });
 }
 
 void parse_samples(Parser& p, Request& r) {
     p.value("--spp", parse_square<1024>, "a square from 1 to 1024 (1, 4, 9, 16, ...)", [&](std::uint32_t n) { r.spp = n; });
     if (p.text("--sampling") == "none" && r.spp > 1)
         p.problem("--sampling", fmt::format("none takes one sample a pixel, but --spp is {}; it must be uniform or jittered", r.spp));
+    if (r.sampling == Sampling::adaptive) parse_adaptive(p, r);
+    for (const char* flag : {"--contrast", "--max-level"})
+        if (p.has(flag) && r.sampling != Sampling::adaptive) p.problem(flag, "belongs to --sampling adaptive");
+    if (p.has("--filter-width") && r.filter != Filter::gaussian) p.problem("--filter-width", "belongs to --filter gaussian");
+    p.value("--filter-width", parse_filter, "a radius from 1 to 16 pixels, and a sigma from 0.1 to 16 after a comma if wanted",
+            [&](glm::vec2 f) { r.filter_width = f.x, r.filter_sigma = f.y; });
 }
 
 void parse_frames(Parser& p, SceneOptions& o) {
@@ -152,10 +172,12 @@ void declare_scene_options(CLI::App& sub, Given& given) {
         if (row.value == nullptr)
             sub.add_flag_callback(
                 flag, [&given, flag] { given[flag] = ""; }, help);
-        else
-            sub.add_option_function<std::string>(
-                   flag, [&given, flag](const std::string& text) { given[flag] = text; }, help)
-                ->type_name(row.value);
+        else {
+            CLI::Option* option = sub.add_option_function<std::string>(
+                flag, [&given, flag](const std::string& text) { given[flag] = text; }, help);
+            option->type_name(row.value);
+            if (flag == "--accel-param") option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
+        }
     }
 }
 

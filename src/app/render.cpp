@@ -2,6 +2,7 @@
 // frame N is the same bytes alone and in a sequence.
 #include "app/commands.h"
 #include "app/errors.h"
+#include "app/interrupt.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/pictures.h"
@@ -58,6 +59,7 @@ struct Run {
     Messages messages;
     Stopwatch wall;
     double load_ms = 0;
+    bool interrupted = false;
     std::optional<gpu::Device> device; // opened when the first frame is ready: a wrong camera is no reason to wait for a driver
 };
 
@@ -75,6 +77,29 @@ void report(const Run& run, const std::string& path, const RenderOutput& output,
         fmt::format("{}: {}x{}, {:.1f} ms on the device", path, plan.crop.size.x, plan.crop.size.y, output.device_milliseconds));
 }
 
+// Rays take their time: what they have come to is shown, and Ctrl-C keeps it.
+RenderOutput trace_watched(Run& run, Renderer& renderer, const View& view, const std::string& path) {
+    const Interrupt interrupt;
+    int shown = -1;
+    RenderOptions options;
+    options.stop = [] { return Interrupt::came(); };
+    options.progress = [&](double share) { run.messages.bar(share, shown); };
+    if (run.messages.shows_progress()) options.pass = [&](const RenderOutput& so_far) { write_output(path, so_far); };
+    RenderOutput output = renderer.render(view, options);
+    run.messages.clear_bar(shown);
+    run.interrupted = output.done < 1;
+    write_output(path, output);
+    if (run.interrupted) run.messages.say(fmt::format("interrupted: {} holds {:.0f} % of the picture", path, 100 * output.done));
+    return output;
+}
+
+RenderOutput render_and_write(Run& run, Renderer& renderer, const Prepared& prepared, const std::string& path) {
+    if (prepared.plan.method == Method::raytrace) return trace_watched(run, renderer, prepared.view, path);
+    RenderOutput output = renderer.render(prepared.view);
+    write_output(path, output);
+    return output;
+}
+
 // One image: `frame` of the turntable, or the scene as it is.
 void render_frame(Run& run, Scene& scene, std::optional<int> frame, bool first) {
     Request request = run.options.request;
@@ -84,9 +109,9 @@ void render_frame(Run& run, Scene& scene, std::optional<int> frame, bool first) 
     gpu::Device& device = device_of(run);
     const double pipelines_before = device.pipeline_milliseconds();
     Renderer renderer(device, scene, prepared.geometry, prepared.plan);
-    const RenderOutput output = renderer.render(prepared.view);
     const std::string path = frame ? frame_path(run.output, *frame) : run.output;
-    write_output(path, output);
+    const RenderOutput output = render_and_write(run, renderer, prepared, path);
+    if (run.interrupted) return;
     const RunRecord record{run.options.scene.string(), request.frame,
                            run.options.count,          run.load_ms,
                            run.wall.milliseconds(),    device.pipeline_milliseconds() - pipelines_before,
@@ -102,34 +127,36 @@ void render_frames(Run& run, Scene& scene) {
     const auto lights = scene.lights;
     const FrameRange range = *run.options.frames;
     const int count = range.last - range.first + 1;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count && !run.interrupted; ++i) {
         run.messages.step(fmt::format("frame {} of {} to {}", range.first + i, range.first, range.last));
         scene.cameras = cameras, scene.lights = lights;
         render_frame(run, scene, range.first + i, i == 0);
     }
 }
 
-void render(const RenderArguments& arguments) {
+// Returns the exit code.
+int render(const RenderArguments& arguments) {
     const SceneOptions options = check_arguments(arguments);
-    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, {}};
+    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, false, {}};
     run.messages.step("reading " + options.scene.string());
     const Stopwatch load;
     Scene scene = load_or_throw(options.scene, options.allow_outside);
     run.load_ms = load.milliseconds();
     options.frames ? render_frames(run, scene) : render_frame(run, scene, std::nullopt, true);
     close_and_check(std::move(*run.device));
+    return run.interrupted ? kInterrupted : 0;
 }
 
 } // namespace
 
-void add_render(CLI::App& app, int&) {
+void add_render(CLI::App& app, int& exit_code) {
     auto arguments = std::make_shared<RenderArguments>();
     CLI::App* sub = app.add_subcommand("render", "one image of a scene: .png (display-referred) or .exr (linear radiance)");
     declare_scene_options(*sub, arguments->given);
     sub->add_option("-o,--output", arguments->output, "the picture: .png or .exr; with --frames its name holds %04d")
         ->required()
         ->type_name("FILE");
-    sub->callback([arguments] { render(*arguments); });
+    sub->callback([arguments, &exit_code] { exit_code = render(*arguments); });
 }
 
 } // namespace lightbench

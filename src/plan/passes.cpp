@@ -45,8 +45,47 @@ std::string samples(const Plan& plan) {
     return "";
 }
 
+bool is_filtered(const Plan& plan) {
+    return plan.method == Method::raytrace && plan.filter == Filter::gaussian;
+}
+
+bool is_adaptive(const Plan& plan) {
+    return plan.method == Method::raytrace && plan.sampling == Sampling::adaptive;
+}
+
 bool accumulates(const Plan& plan) {
-    return plan.frames > 1 || plan.light_passes > 1;
+    return !is_filtered(plan) && (plan.frames > 1 || plan.light_passes > 1);
+}
+
+std::string filter_reason(const Plan& plan) {
+    return fmt::format("Gaussian, radius {:g}, sigma {:g}, of {}", plan.filter_width, plan.filter_sigma,
+                       plan.frames == 1 ? "one sample a pixel"
+                                        : fmt::format("{} frames, shifted {}", plan.frames, plan.jittered ? "at random" : "on a grid"));
+}
+
+std::string split_reason(const Plan& plan) {
+    return fmt::format("in four at most {} time{}, where the contrast of their corners is above {:g}, {:g}, {:g}", plan.max_level,
+                       plan.max_level == 1 ? "" : "s", plan.contrast.r, plan.contrast.g, plan.contrast.b);
+}
+
+// S26: the passes before and after the rays.
+void add_lattice(std::vector<Pass>& passes, const Plan& plan) {
+    if (!is_adaptive(plan)) return;
+    if (plan.max_level > 0) passes.push_back({"split-cells", split_reason(plan), {"lattice"}, {"lattice-states"}});
+    passes.push_back({"list-points", "corners of pixels and of what they were split into", {"lattice-states"}, {"lattice-points"}});
+}
+
+// What becomes of the roots of the ray trees.
+void add_film(std::vector<Pass>& passes, const Plan& plan) {
+    if (is_adaptive(plan)) {
+        passes.push_back({"film", "their roots as points of the lattice", {"ray-tree", "lattice-points"}, {"lattice"}});
+        passes.push_back({"lattice-pixels", "means of corners, by area", {"lattice", "lattice-states"}, {"radiance"}});
+    } else if (is_filtered(plan)) {
+        passes.push_back({"film", "their roots as samples, beside the crop too", {"ray-tree"}, {"samples"}});
+        passes.push_back({"filter", filter_reason(plan), {"samples"}, {"sum"}});
+    } else {
+        passes.push_back({"film", "their roots as pixels", {"ray-tree"}, {"radiance"}});
+    }
 }
 
 std::string sum_of(const Plan& plan) {
@@ -84,11 +123,16 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     if (smooth) surfaces.emplace_back("normals");
     if (plan.effects & EFFECT_BACKGROUND_MAP) surfaces.emplace_back("texels");
     if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) sent = joined(sent, {"rays", "ray-tree"});
-    std::vector<Pass> passes = {
-        {"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays", "ray-tree"}},
-        {"trace", "the nearest hit of each ray", {"rays", "primitives", "structure"}, {"hits"}},
-        {"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent},
-    };
+    std::vector<Pass> passes;
+    add_lattice(passes, plan);
+    if (is_adaptive(plan))
+        passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays", "ray-tree"}});
+    else
+        passes.push_back({"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays", "ray-tree"}});
+    passes.insert(passes.end(), {
+                                    {"trace", "the nearest hit of each ray", {"rays", "primitives", "structure"}, {"hits"}},
+                                    {"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent},
+                                });
     Names lit = joined({"points", "rays"}, lit_reads);
     if (plan.ray_effects & RAY_SHADOWS) {
         passes.push_back({"shadow", "what stands before each light", {"points", "lights", "primitives", "structure"}, {"visibility"}});
@@ -97,7 +141,7 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     passes.push_back({"light", "the illumination model at those points", lit, {"ray-tree"}});
     if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT))
         passes.push_back({"gather", "the ray trees, from their leaves to their roots", {"ray-tree"}, {"ray-tree"}});
-    passes.push_back({"film", "their roots as pixels", {"ray-tree"}, {"radiance"}});
+    add_film(passes, plan);
     if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
     passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
     return passes;
@@ -125,7 +169,7 @@ std::vector<Pass> raster_passes(const Plan& plan, const Names& lit_reads) {
 } // namespace
 
 std::string image_of(const Plan& plan) {
-    return accumulates(plan) ? "sum" : "radiance";
+    return accumulates(plan) || is_filtered(plan) ? "sum" : "radiance";
 }
 
 std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {

@@ -122,6 +122,8 @@ Resource describe(const std::string& name, const Facts& facts, const Plan& plan)
     if (name == "layers") return {name, 0, "16 bytes a translucent fragment, and its surface or opacity: sized by their count"};
     if (name == "depth") return target(name, 4 * plan.multisamples, "float, reversed", plan);
     if (name == "radiance-samples") return target(name, 16 * plan.multisamples, fmt::format("{} samples a pixel", plan.multisamples), plan);
+    if (name == "samples") return {name, 0, "linear, 4 floats: the crop and a margin as wide as the filter"};
+    if (name.starts_with("lattice")) return {name, 0, fmt::format("points 1/{} pixel apart, band by band", 1u << plan.max_level)};
     if (name == "radiance" || name == "sum" || name.starts_with("layer-")) return target(name, 16, "linear, 4 floats", plan);
     if (name == "pixels") return {name, std::size_t{plan.crop.size.x} * plan.crop.size.y * 4, "8 bit sRGB"};
     if (name == "census") return {name, sizeof(gpu_layout::Census), "counts pixels that are not finite"};
@@ -179,6 +181,8 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
         plan.fallbacks.push_back({"exposure", "not applied: a file of linear radiance has none"});
     if (request.method == Method::raytrace && request.shading == Shading::gouraud)
         plan.fallbacks.push_back({"shading", "gouraud: rays meet points, not vertices; normals are interpolated as with phong"});
+    if (request.method != Method::raytrace && request.filter == Filter::gaussian)
+        plan.fallbacks.push_back({"filter", "gaussian: the rasteriser's is a box, one pixel wide"});
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
     decide_samples(request, plan);

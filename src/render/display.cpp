@@ -34,8 +34,8 @@ void record_display(gpu::Recorder& recorder, Display& d, gpu::Image& radiance) {
                      {(d.crop.size.x + 15) / 16, (d.crop.size.y + 3) / 4});
 }
 
-void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, gpu::Image& sum, float weight, bool first) {
-    const gpu_layout::AccumulatePush push{d.size, weight, first ? 1u : 0u};
+void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, gpu::Image& sum, float weight, std::uint32_t mode) {
+    const gpu_layout::AccumulatePush push{d.size, weight, mode};
     recorder.compute("accumulate", d.accumulate, {{"frame", frame}, {"sum", sum}}, push, {(d.size.x + 15) / 16, (d.size.y + 3) / 4});
 }
 

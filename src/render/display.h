@@ -19,7 +19,8 @@ Display make_display(gpu::Device& device, const Plan& plan);
 gpu::Image make_sum(gpu::Device& device, glm::uvec2 size);
 
 void record_display(gpu::Recorder& recorder, Display& display, gpu::Image& radiance);
-void record_accumulate(gpu::Recorder& recorder, Display& display, gpu::Image& frame, gpu::Image& sum, float weight, bool first);
+void record_accumulate(gpu::Recorder& recorder, Display& display, gpu::Image& frame, gpu::Image& sum, float weight,
+                       std::uint32_t mode); // ACCUMULATE_...
 
 Image8 read_pixels(gpu::Device& device, Display& display, const Rect& crop);
 std::uint64_t read_census(gpu::Device& device, Display& display); // CHECKs that no pixel was missed

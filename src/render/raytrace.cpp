@@ -34,6 +34,7 @@ const char* shader_of(RayPass pass) {
     case RayPass::light: return "raytrace/light.comp";
     case RayPass::gather: return "raytrace/gather.comp";
     case RayPass::film: return "raytrace/film.comp";
+    case RayPass::film_points: return "raytrace/film_points.comp";
     }
     return "";
 }
@@ -42,7 +43,8 @@ std::size_t push_of(RayPass pass) {
     switch (pass) {
     case RayPass::eye: return sizeof(EyePush);
     case RayPass::gather: return sizeof(GatherPush);
-    case RayPass::film: return sizeof(FilmPush);
+    case RayPass::film:
+    case RayPass::film_points: return sizeof(FilmPush);
     default: return sizeof(RayPush);
     }
 }
@@ -76,6 +78,7 @@ const gpu::ComputePipeline& pipeline_of(RayTracer& tracer, const RayWork& w, Ray
     return pipeline;
 }
 
+// Of listed points: x the first of them, width their number, height 1.
 struct Tile {
     std::uint32_t x = 0, y = 0, width = 0, height = 0; // pixels
     std::uint32_t count() const { return width * height; }
@@ -206,13 +209,15 @@ void TileTracer::record_eye(const Tile& tile) {
     push.across = glm::vec3(axes[0] * (2 * right / view.size.x));
     push.down = glm::vec3(-axes[1] * (2 * up / view.size.y));
     push.axis = glm::vec3(-axes[2]);
-    push.tile_x = tile.x, push.tile_y = tile.y, push.tile_size = tile.packed(), push.count = tile.count();
+    push.tile_x = tile.x + static_cast<std::uint32_t>(frame_.origin.x), push.tile_y = tile.y + static_cast<std::uint32_t>(frame_.origin.y);
+    push.tile_size = tile.packed(), push.count = tile.count(), push.first = tile.x;
     push.shift = frame_.shift, push.cell = frame_.cell, push.seed = w_.plan.seed, push.sample_index = frame_.sample;
     w_.recorder.fill(b_.counters, 0);
     gpu::Bindings bindings{{"NextRays", b_.rays[now_]}, {"Tree", b_.tree}, {"Counters", b_.counters}};
     if (b_.media[now_]) bindings.emplace_back("NextMedia", b_.media[now_]);
-    w_.recorder.compute("eye-rays", pipeline_of(t_, w_, RayPass::eye, frame_.cell > 0 ? RAY_JITTER : 0), bindings, push,
-                        groups_of(push.count));
+    if (frame_.points) offer_table(bindings, "eye_points", *frame_.points);
+    const std::uint32_t more = frame_.points ? RAY_LIST : frame_.cell > 0 ? RAY_JITTER : 0;
+    w_.recorder.compute("eye-rays", pipeline_of(t_, w_, RayPass::eye, more), bindings, push, groups_of(push.count));
     expected_ += push.count;
 }
 
@@ -363,10 +368,11 @@ void TileTracer::gather_and_film(const Tile& tile, gpu::Image& image) {
     for (auto g = generations_.rbegin(); g != generations_.rend(); ++g)
         if (g->sends)
             w_.recorder.compute("gather", pipeline_of(t_, w_, RayPass::gather), tree, GatherPush{g->first, g->count}, groups_of(g->count));
-    gpu::Bindings film{{"frame", image}};
+    gpu::Bindings film = frame_.points ? gpu::Bindings{{"Lattice", *frame_.lattice}} : gpu::Bindings{{"frame", image}};
     offer_table(film, "tree", b_.tree);
-    w_.recorder.compute("film", pipeline_of(t_, w_, RayPass::film), film, FilmPush{tile.x, tile.y, tile.packed(), tile.count()},
-                        groups_of(tile.count()));
+    if (frame_.points) offer_table(film, "eye_points", *frame_.points);
+    w_.recorder.compute("film", pipeline_of(t_, w_, frame_.points ? RayPass::film_points : RayPass::film), film,
+                        FilmPush{tile.x, tile.y, tile.packed(), tile.count()}, groups_of(tile.count()));
 }
 
 void TileTracer::warm_up(gpu::Image& image) {
@@ -394,6 +400,7 @@ bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
     record_eye(tile);
     for (std::size_t i = 0; i < generations_.size(); ++i) {
         const Generation g = generations_[i];
+        if (w_.stopped()) return true;
         if (!run_generation(g)) return false;
     }
     gather_and_film(tile, image);
@@ -454,7 +461,7 @@ void warm_up(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu:
     TileTracer(tracer, work, frame).warm_up(image);
 }
 
-void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image) {
+bool trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image) {
     const Rect& area = frame.area;
     const std::uint32_t rows = std::max(tracer.buffers.capacity / area.size.x & ~1u, 1u),
                         most = std::min(area.size.x, tracer.buffers.capacity);
@@ -462,8 +469,18 @@ void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, 
         for (std::uint32_t x = 0; x < area.size.x; x += most) {
             const Tile tile{area.offset.x + x, area.offset.y + y, std::min(most, area.size.x - x), std::min(rows, area.size.y - y)};
             trace_tile(tracer, work, frame, tile, image);
+            if (work.stopped()) return false;
             if (work.progress) work.progress(double(y + tile.height) / area.size.y);
         }
+    return true;
+}
+
+bool trace_points(RayTracer& tracer, const RayWork& work, const RayFrame& frame, std::uint32_t count, gpu::Image& image) {
+    for (std::uint32_t first = 0; first < count; first += tracer.buffers.capacity) {
+        trace_tile(tracer, work, frame, {first, 0, std::min(tracer.buffers.capacity, count - first), 1}, image);
+        if (work.stopped()) return false;
+    }
+    return true;
 }
 
 } // namespace lightbench

@@ -23,7 +23,7 @@ struct RayBuffers {
     std::uint32_t lights = 1;   // that are summed in one piece, for a full generation
 };
 
-enum class RayPass { eye, trace, shade, shadow, light, gather, film };
+enum class RayPass { eye, trace, shade, shadow, light, gather, film, film_points };
 
 struct RayTracer {
     RayScene scene;
@@ -35,14 +35,17 @@ struct RayTracer {
 
 RayTracer make_ray_tracer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
 
-// One sample of every pixel of `area`.
+// One sample of every pixel of `area`, or of the listed points.
 struct RayFrame {
     const View& view;
-    Rect area;
+    Rect area;                // of the image that is written
     glm::vec2 shift{0.5f};    // within the pixel
     float cell = 0;           // side of the cell in which the sample is jittered; 0: not
     std::uint32_t sample = 0; // its number
     glm::vec3 ambient{0}, background{0};
+    glm::ivec2 origin{0};          // where in the picture the image that is written lies
+    gpu::Buffer* points = nullptr; // eye rays go through these, and what they see is written to `lattice`: see lattice_list.comp
+    gpu::Buffer* lattice = nullptr;
 };
 
 // Of a tile's rays: node of the first, their number, how many hit something, and which of the two buffers holds them.
@@ -59,13 +62,19 @@ struct RayWork {
     const RasterGeometry& geometry;
     gpu::Timings& times;                                    // appended
     std::function<void(double)> progress;                   // may be empty; the share of the frame that is done
+    std::function<bool()> stop{};                           // may be empty; asked between generations of rays: true ends the frame early
     std::function<void(const TracedGeneration&)> observe{}; // may be empty; when a generation is shaded, its buffers as they were left
+    bool stopped() const { return stop && stop(); }
 };
 
 // Dispatches every pipeline once without work: drivers compile at the first dispatch, which is not the time that tracing takes.
 void warm_up(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
 
-// Writes `image` (linear radiance, whole image). EnvironmentError if the tree of a single pixel does not fit.
-void trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
+// Writes `image` (linear radiance, alpha 1). EnvironmentError if the tree of a single pixel does not fit. False: stopped early; the tiles
+// that were not reached are not written.
+bool trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
+
+// The first `count` of the frame's points. False: stopped early.
+bool trace_points(RayTracer& tracer, const RayWork& work, const RayFrame& frame, std::uint32_t count, gpu::Image& image);
 
 } // namespace lightbench

@@ -7,6 +7,7 @@
 #include "render/layers.h"
 #include "render/raster.h"
 #include "render/raytrace.h"
+#include "render/sampling.h"
 #include "render/terms.h"
 #include "shared/effects.h"
 #include "shared/rays.h"
@@ -32,6 +33,8 @@ struct RendererState {
     Layers layers;
     gpu::Timings times; // of what was submitted on the way
     std::optional<RayTracer> tracer;
+    std::optional<WideFilter> filter;
+    std::optional<Lattice> lattice;
 };
 
 namespace {
@@ -92,7 +95,9 @@ gpu::Image& record_drawing(RendererState& s, const View& view, const Drawing& dr
     for (unsigned frame = 0; frame < frames; ++frame)
         for (std::size_t piece = 0; piece < pieces; ++piece) {
             triangles += record_piece(s, view, drawing, frame, piece);
-            if (whole) record_accumulate(s.recorder, s.display, targets.resolved, s.sum, 1.0f / float(frames), frame == 0 && piece == 0);
+            if (whole)
+                record_accumulate(s.recorder, s.display, targets.resolved, s.sum, 1.0f / float(frames),
+                                  frame == 0 && piece == 0 ? ACCUMULATE_FIRST : ACCUMULATE_ADD);
         }
     return whole ? s.sum : targets.resolved;
 }
@@ -116,42 +121,71 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
     }
 }
 
-// Frames of a tracer: one sample a pixel each.
-gpu::Image& record_rays(RendererState& s, const View& view) {
-    s.tracer->counts = {};
-    const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, {}};
-    warm_up(*s.tracer, work, {view, s.plan.crop}, s.targets.resolved);
-    for (unsigned i = 0; i < s.plan.frames; ++i) {
-        const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(s.plan.frames))));
-        RayFrame frame{view, s.plan.crop, glm::vec2(0.5f), 0, i, s.environment.ambient, s.environment.background};
-        frame.cell = s.plan.jittered ? 1.0f / float(n) : 0;
-        frame.shift = (glm::vec2(i % n, i / n) + (s.plan.jittered ? 0.0f : 0.5f)) / float(n);
-        trace_frame(*s.tracer, work, frame, s.targets.resolved);
-        if (s.sum) record_accumulate(s.recorder, s.display, s.targets.resolved, s.sum, 1.0f / float(s.plan.frames), i == 0);
+// Pixels or radiance of the crop, as the plan asks.
+void read_output(RendererState& s, gpu::Image& image, RenderOutput& out) {
+    if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
+    const gpu::Timings last = s.recorder.submit_and_wait();
+    s.times.insert(s.times.end(), last.begin(), last.end());
+    if (s.plan.runs("display")) {
+        out.pixels = read_pixels(s.device, s.display, s.plan.crop);
+        out.non_finite = read_census(s.device, s.display);
+        return;
     }
-    return s.sum ? s.sum : s.targets.resolved;
+    out.radiance = read_crop(s, image);
+    if (s.filter) // whose sum of weights is nobody's opacity
+        for (std::size_t i = 3; i < out.radiance->rgba.size(); i += 4) out.radiance->rgba[i] = 1;
+    out.non_finite = count_non_finite(*out.radiance);
 }
 
-RenderOutput run_image(RendererState& s, const View& view) {
+// Frame i of a tracer: one sample a pixel, or as many as it takes. False: stopped early.
+bool trace_pass(RendererState& s, const RayWork& work, const View& view, unsigned i, gpu::Image& image) {
+    const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(s.plan.frames))));
+    RayFrame frame{view, s.plan.crop, glm::vec2(0.5f), 0, i, s.environment.ambient, s.environment.background};
+    frame.cell = s.plan.jittered ? 1.0f / float(n) : 0;
+    frame.shift = (glm::vec2(i % n, i / n) + (s.plan.jittered ? 0.0f : 0.5f)) / float(n);
+    if (s.lattice) return trace_adaptive(*s.tracer, work, frame, *s.lattice, image);
+    if (s.filter) return trace_filtered(*s.tracer, work, frame, *s.filter, image);
+    const bool whole = trace_frame(*s.tracer, work, frame, s.targets.resolved);
+    if (s.sum && (whole || i == 0)) // a frame that is not whole would darken the mean of the others
+        record_accumulate(s.recorder, s.display, s.targets.resolved, s.sum, 1.0f / float(i + 1),
+                          i == 0 ? ACCUMULATE_FIRST : ACCUMULATE_MEAN);
+    return whole;
+}
+
+gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions& options, RenderOutput& out) {
+    s.tracer->counts = {};
+    gpu::Image& image = s.sum ? s.sum : s.targets.resolved;
+    unsigned i = 0;
+    const auto progress = [&](double share) {
+        out.done = (i + share) / s.plan.frames;
+        if (options.progress) options.progress(out.done);
+    };
+    const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, progress, options.stop};
+    RayFrame nothing{view, s.plan.crop};
+    if (s.lattice) nothing.points = &s.lattice->points, nothing.lattice = &s.lattice->radiance;
+    warm_up(*s.tracer, work, nothing, s.targets.resolved);
+    s.recorder.clear(s.targets.resolved, {});
+    out.done = 0;
+    for (; i < s.plan.frames && trace_pass(s, work, view, i, image); ++i) {
+        if (!options.pass || i + 1 == s.plan.frames) continue;
+        RenderOutput so_far;
+        read_output(s, image, so_far);
+        options.pass(so_far);
+    }
+    return image;
+}
+
+RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& options) {
     RenderOutput out;
     const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background, "raster", true};
     s.times.clear();
-    gpu::Image& image = s.tracer ? record_rays(s, view) : record_drawing(s, view, drawing, out.triangles_drawn);
-    if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
-    const gpu::Timings last = s.recorder.submit_and_wait();
+    gpu::Image& image = s.tracer ? record_rays(s, view, options, out) : record_drawing(s, view, drawing, out.triangles_drawn);
+    read_output(s, image, out);
     add_times(out, s.times);
-    add_times(out, last);
     if (s.tracer) {
         const AccelTables& accel = s.tracer->scene.accel;
         out.accel = {accel.milliseconds, s.tracer->scene.structure_bytes, accel.node_count, accel.reference_count, accel.depth};
         if (s.plan.ray_effects & RAY_COUNT) out.rays = s.tracer->counts;
-    }
-    if (s.plan.runs("display")) {
-        out.pixels = read_pixels(s.device, s.display, s.plan.crop);
-        out.non_finite = read_census(s.device, s.display);
-    } else {
-        out.radiance = read_crop(s, image);
-        out.non_finite = count_non_finite(*out.radiance);
     }
     return out;
 }
@@ -197,9 +231,13 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry
                                {},
                                {},
                                {},
+                               {},
+                               {},
                                {}}) {
-    if (plan.runs("accumulate")) state_->sum = make_sum(device, plan.size);
+    if (plan.has("sum")) state_->sum = make_sum(device, plan.size);
     if (plan.method == Method::raytrace) state_->tracer = make_ray_tracer(device, scene, geometry, plan);
+    if (plan.runs("filter")) state_->filter = make_wide_filter(device, plan);
+    if (plan.runs("lattice-pixels")) state_->lattice = make_lattice(device, plan, *state_->tracer);
     state_->display = make_display(device, plan);
 }
 
@@ -208,8 +246,9 @@ Renderer::~Renderer() = default;
 
 RenderOutput Renderer::render(const View& view, const RenderOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    RenderOutput out = run_image(*state_, view);
-    if (options.warm_up && std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) out = run_image(*state_, view);
+    RenderOutput out = run_image(*state_, view, options);
+    if (out.done < 1) return out;
+    if (options.warm_up && std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) out = run_image(*state_, view, options);
     for (const std::string& name : state_->plan.terms) out.layers.push_back(run_layer(*state_, view, name));
     return out;
 }

@@ -6,6 +6,7 @@
 #include "plan/complete.h"
 #include "scene/tessellate.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -44,11 +45,16 @@ struct RenderOutput {
     std::size_t triangles_drawn = 0;   // after culling
     std::optional<RayStatistics> rays; // with Request::count
     std::optional<AccelStatistics> accel;
+    double done = 1; // share of the image; below 1 only if it was stopped
 };
 
 struct RenderOptions {
     // Runs everything once before the run that is timed: drivers compile at the first draw. Left out if that first run passes a second.
     bool warm_up = false;
+    // Of --method raytrace; each may be empty.
+    std::function<void(double)> progress; // the share that is done, now and then
+    std::function<bool()> stop;           // asked now and then; true: what there is becomes the image, black where there is nothing
+    std::function<void(const RenderOutput&)> pass; // the image so far, after every frame but the last
 };
 
 // What the plan needs of the tessellation: streams that nobody reads are not made.

@@ -1,0 +1,60 @@
+// Pictures that are made while somebody loses patience: Ctrl-C leaves a whole picture, and kill leaves none or a whole one.
+#include "program.h"
+
+#include "image/files.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace lightbench::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class Interrupted : public Cli {
+  protected:
+    // Renders the ball with far more samples than there is patience for; after so many seconds the signal comes. Returns what waitpid tells.
+    int render_until(int signal, double seconds) const {
+        const std::string ball = scene(kBall), picture = in_folder("x.png"), messages = in_folder("messages");
+        const pid_t child = ::fork();
+        if (child == 0) {
+            if (!std::freopen(messages.c_str(), "w", stderr)) ::_exit(99);
+            ::execl(LIGHTBENCH_PROGRAM, LIGHTBENCH_PROGRAM, "render", ball.c_str(), "-o", picture.c_str(), "--method", "raytrace", "--size",
+                    "640x480", "--spp", "1024", "--sampling", "jittered", "--progress", "always", nullptr);
+            ::_exit(99);
+        }
+        std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+        ::kill(child, signal);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        return status;
+    }
+};
+
+TEST_F(Interrupted, CtrlCKeepsWhatThereIs) {
+    const int status = render_until(SIGINT, 8);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    const std::string messages = read_text(in_folder("messages"));
+    EXPECT_THAT(messages, HasSubstr("interrupted: "));
+    EXPECT_THAT(messages, HasSubstr("% of the picture"));
+    EXPECT_EQ(std::get<Image8>(read_image(in_folder("x.png"))).width, 640u);
+    EXPECT_THAT(files(), ElementsAre("messages", "scene.toml", "x.png"));
+}
+
+TEST_F(Interrupted, KillLeavesNoTruncatedPicture) {
+    for (const double seconds : {3.0, 3.7, 4.3}) {
+        EXPECT_TRUE(WIFSIGNALED(render_until(SIGKILL, seconds)));
+        if (!std::filesystem::exists(in_folder("x.png"))) continue;
+        EXPECT_EQ(std::get<Image8>(read_image(in_folder("x.png"))).height, 480u);
+    }
+}
+
+} // namespace
+} // namespace lightbench::cli
