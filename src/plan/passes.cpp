@@ -119,7 +119,7 @@ void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_re
 // One generation of rays after the other; what a generation sends on is known when it has been shaded.
 std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     const bool smooth = plan.shading != Shading::flat;
-    Names surfaces = joined({"rays", "hits", "primitives"}, lit_reads), sent = {"points"};
+    Names surfaces = joined({"rays", "hits", "primitives", "materials"}, lit_reads), sent = {"points"};
     if (smooth) surfaces.emplace_back("normals");
     if (plan.effects & EFFECT_BACKGROUND_MAP) surfaces.emplace_back("texels");
     if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) sent = joined(sent, {"rays", "ray-tree"});

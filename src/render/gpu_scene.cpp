@@ -107,7 +107,9 @@ GpuScene upload_scene(gpu::Device& device, const Scene& scene, const RasterGeome
     out.vertex_count = static_cast<std::uint32_t>(geometry.vertices.positions.size());
     out.polygon_count = static_cast<std::uint32_t>(geometry.polygons.positions.size());
     if (plan.has("lights")) out.lights = up.table("lights", lights, FETCH_LIGHTS);
-    const MaterialTables tables = plan.has("materials") || plan.has("texels") ? material_tables(scene, geometry, plan) : MaterialTables{};
+    MaterialTables tables = plan.has("materials") || plan.has("texels") ? material_tables(scene, geometry, plan) : MaterialTables{};
+    if (plan.method == Method::raytrace && tables.materials.empty())
+        tables.materials.emplace_back(); // no object: passes bind it all the same
     if (plan.has("materials")) out.materials = up.table("materials", tables.materials, FETCH_MATERIALS);
     if (plan.has("texels")) out.texels = up.table("texels", tables.texels.words, FETCH_TEXELS);
     out.environment = tables.environment;

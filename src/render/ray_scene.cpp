@@ -4,6 +4,9 @@
 #include "shared/effects.h"
 #include "shared/rays.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace lightbench {
 namespace {
 
@@ -37,6 +40,18 @@ std::uint32_t effects_of(const RayPrimitives& primitives, const Plan& plan) {
     return effects;
 }
 
+// Only what has a material that refracts.
+RayPrimitives media_of(const Scene& scene, const RasterGeometry& geometry, const RayPrimitives& all) {
+    const auto refracts = [&](const auto& primitive) {
+        return glm::any(glm::greaterThan(scene.materials[geometry.surfaces[primitive.surface].material].transmission, glm::vec3(0)));
+    };
+    RayPrimitives media;
+    std::ranges::copy_if(all.triangles, std::back_inserter(media.triangles), refracts);
+    std::ranges::copy_if(all.spheres, std::back_inserter(media.spheres), refracts);
+    std::ranges::copy_if(all.shapes, std::back_inserter(media.shapes), refracts);
+    return media;
+}
+
 // The narrow tree's planes are whole numbers; its first texels say of what.
 void prepend_planes(AccelTables& tables) {
     const auto words = [](const glm::vec3& v) { return glm::uvec4(glm::floatBitsToUint(v), 0); };
@@ -47,7 +62,10 @@ void prepend_planes(AccelTables& tables) {
 
 RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
     RayPrimitives primitives = ray_primitives(scene, geometry);
+    for (const Camera& camera : scene.cameras) // a turntable keeps the distance from the target, which may lie anywhere in the scene
+        primitives.reach = std::max(primitives.reach, glm::length(geometry.frame.from_world(camera.position)) + 2 * geometry.frame.radius);
     RayScene out;
+    if (plan.ray_effects & RAY_REFRACTED) out.media = media_of(scene, geometry, primitives);
     out.accel = build_accel(primitives, request_of(plan));
     out.effects = effects_of(primitives, plan);
     out.stack = std::max(out.accel.stack, 2u);

@@ -1,6 +1,7 @@
 // Tiles, generations and batches of rays.
 #include "render/raytrace.h"
 
+#include "accel/containment.h"
 #include "gpu/check.h"
 #include "gpu/errors.h"
 #include "render/raster.h"
@@ -198,12 +199,22 @@ RayCounters TileTracer::submit() {
     return c;
 }
 
+// S16: what the eye is inside of, the innermost first.
+glm::uvec4 media_around(const RayScene& scene, const glm::vec3& eye) {
+    glm::uvec4 media(0);
+    const auto around = surfaces_around(scene.media, eye, [](std::uint32_t) { return true; });
+    for (std::size_t i = 0; i < std::min<std::size_t>(around.size(), 4); ++i) media[static_cast<int>(i)] = around[i].surface + 1;
+    return media;
+}
+
 void TileTracer::record_eye(const Tile& tile) {
     const View& view = frame_.view;
     const glm::dmat3 axes = glm::transpose(glm::dmat3(view.view_from_world)); // columns: right, up, back
     const double up = std::tan(view.fov / 2), right = up * view.size.x / view.size.y;
     EyePush push{};
     push.eye = view.eye_in_frame(w_.geometry.frame);
+    if (t_.eye != push.eye) t_.eye = push.eye, t_.eye_media = media_around(t_.scene, push.eye);
+    push.media = t_.eye_media;
     push.hither = static_cast<float>(view.near * w_.geometry.frame.scale);
     push.corner = glm::vec3(-axes[2] - right * axes[0] + up * axes[1]);
     push.across = glm::vec3(axes[0] * (2 * right / view.size.x));

@@ -30,7 +30,9 @@ struct RayTracer {
     RayBuffers buffers;
     std::map<std::pair<RayPass, std::uint32_t>, gpu::ComputePipeline> pipelines; // by RAY_... bits
     RayStatistics counts;
-    std::uint32_t lights = 0; // of the scene
+    std::uint32_t lights = 0;     // of the scene
+    std::optional<glm::vec3> eye; // frame; whose media these are
+    glm::uvec4 eye_media{0};      // surfaces + 1 around it, the innermost first
 };
 
 RayTracer make_ray_tracer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
