@@ -26,6 +26,7 @@ namespace fs = std::filesystem;
 
 struct Curator {
     gpu::Device& device;
+    std::string device_name; // as the user gave it
     Messages messages;
     fs::path folder;
     glm::uvec2 size;
@@ -39,8 +40,16 @@ Scene scene_of(const ExhibitRow& row, const ShotRow& shot) {
     return std::get<Scene>(std::move(made));
 }
 
+std::string render_options_of(const ShotRow& shot) {
+    if (shot.rays.depth == 0) return fmt::format("--shading {}", name_of(shot.shading));
+    std::string options = fmt::format("--method raytrace --depth {}", shot.rays.depth);
+    if (shot.rays.cutoff > 0) options += fmt::format(" --cutoff {}", shot.rays.cutoff);
+    if (shot.rays.spp > 1) options += fmt::format(" --spp {}", shot.rays.spp);
+    return options;
+}
+
 std::string command_of(const ExhibitRow& row, const ShotRow& shot) {
-    const std::string render = fmt::format("--shading {}", name_of(shot.shading));
+    const std::string render = render_options_of(shot);
     if (row.source.scene) return fmt::format("render {} {}", row.source.scene, render);
     std::string make = fmt::format("make {}", row.source.kind);
     for (const auto& [name, value] : shot.arguments) make += fmt::format(" --param {}={}", name, value);
@@ -52,19 +61,52 @@ struct Taken {
     Image8 pixels;
 };
 
+Request request_of(const ShotRow& shot, glm::uvec2 size) {
+    Request request;
+    request.shading = shot.shading, request.size = size;
+    if (shot.rays.depth == 0) return request;
+    request.method = Method::raytrace;
+    request.depth = shot.rays.depth, request.cutoff = shot.rays.cutoff, request.spp = shot.rays.spp;
+    return request;
+}
+
+RenderOutput render_on(gpu::Device& device, const Scene& scene, const Prepared& prepared) {
+    RenderOptions options;
+    options.warm_up = prepared.plan.method == Method::raster; // drivers compile at the first draw, but before the first dispatch
+    return Renderer(device, scene, prepared.geometry, prepared.plan).render(prepared.view, options);
+}
+
+// Rays get a device of their own: once a context of llvmpipe has drawn, it takes the timestamps around dispatches when the next picture is
+// put together, all at once (Mesa 22.3, lp_setup_end_query: at once only while the framebuffer is empty).
+RenderOutput render_shot(Curator& curator, const Scene& scene, const Prepared& prepared) {
+    if (prepared.plan.method == Method::raster) return render_on(curator.device, scene, prepared);
+    gpu::Device device = gpu::Device::open({curator.device_name});
+    RenderOutput output = render_on(device, scene, prepared);
+    close_and_check(std::move(device));
+    return output;
+}
+
+std::optional<RayStatistics> count_rays(Curator& curator, Scene& scene, Request request) {
+    request.count = true;
+    return render_shot(curator, scene, prepare(scene, request)).rays;
+}
+
 Taken take(Curator& curator, const ExhibitRow& row, const ShotRow& shot) {
     curator.messages.step(fmt::format("{}: {}", row.title, shot.caption));
     Scene scene = scene_of(row, shot);
-    Request request;
-    request.shading = shot.shading, request.size = curator.size;
+    const Request request = request_of(shot, curator.size);
     const Prepared prepared = prepare(scene, request);
-    RenderOptions options;
-    options.warm_up = true;
-    Renderer renderer(curator.device, scene, prepared.geometry, prepared.plan);
-    RenderOutput output = renderer.render(prepared.view, options);
+    RenderOutput output = render_shot(curator, scene, prepared);
     Taken taken;
-    taken.shown = {
-        shot.caption, std::string(shot.file) + ".png", command_of(row, shot), explain(prepared.plan), output.device_milliseconds, {}, {}};
+    taken.shown = {shot.caption,
+                   std::string(shot.file) + ".png",
+                   command_of(row, shot),
+                   explain(prepared.plan),
+                   output.device_milliseconds,
+                   {},
+                   {},
+                   {}};
+    if (shot.rays.counted) taken.shown.rays = count_rays(curator, scene, request);
     taken.pixels = std::move(output.pixels.value());
     write_pixels(curator.folder / taken.shown.file, taken.pixels);
     return taken;
@@ -102,7 +144,7 @@ void make_gallery(const GalleryArguments& arguments) {
     if (!fs::is_directory(arguments.folder))
         throw UserError("-o", fmt::format("the folder {} cannot be made: {}", arguments.folder, error.message()));
     gpu::Device device = gpu::Device::open({arguments.device});
-    Curator curator{device, {arguments.quiet, Progress::automatic}, arguments.folder, *size};
+    Curator curator{device, arguments.device, {arguments.quiet, Progress::automatic}, arguments.folder, *size};
     std::vector<Exhibit> exhibits;
     for (const ExhibitRow& row : exhibit_rows()) exhibits.push_back(exhibit_of(curator, row));
     const fs::path page = curator.folder / "index.html";

@@ -15,11 +15,49 @@ constexpr ExhibitSource stored(const char* scene) {
 const std::vector<ExhibitRow>& exhibit_rows() {
     using enum Shading;
     static const std::vector<ExhibitRow> rows = {
-        {"Three places to evaluate one model",
-         "The same illumination model, evaluated once a polygon (flat), once a vertex (Gouraud) and once a pixel (Phong).",
+        {"Three places to evaluate one model, and rays",
+         "The same illumination model, evaluated once a polygon (flat), once a vertex (Gouraud) and once a pixel (Phong). Rays evaluate it "
+         "where they hit, and ask two questions more: whether a light sees the point, and what the point mirrors. What the last two differ "
+         "in from Phong is not their error but what it leaves out.",
          stored("default.toml"),
          2,
-         {{"flat", "default-flat", flat}, {"Gouraud", "default-gouraud", gouraud}, {"Phong", "default-phong", phong}}},
+         {{"flat", "default-flat", flat},
+          {"Gouraud", "default-gouraud", gouraud},
+          {"Phong", "default-phong", phong},
+          {"rays from the eye and to the lights: shadows", "default-shadows", phong, {}, {1}},
+          {"and mirrored ones: the ray tree, 5 levels", "default-rays", phong, {}, {5, 0, 1, true}}}},
+        {"Glass",
+         "The ball shows the floor upside down, the box mirrors where it is seen at a grazing angle, the prism's edges have colors, the "
+         "pane "
+         "at the back is frosted, and the stained glass throws its colors on the floor. The rasteriser has one answer to all of it: "
+         "straight "
+         "through.",
+         stored("lens.toml"),
+         -1,
+         {{"Phong: straight through", "lens-phong", phong}, {"rays, 8 levels, 4 samples a pixel", "lens-rays", phong, {}, {8, 0.04f, 4}}}},
+        {"A kaleidoscope",
+         "Three mirrors around a handful of things. The depth of the ray tree says how often a ray may be mirrored; beyond that there is "
+         "nothing.",
+         stored("mirrors.toml"),
+         2,
+         {{"2 levels: mirrored once", "mirrors-2", phong, {}, {2}},
+          {"5 levels", "mirrors-5", phong, {}, {5}},
+          {"20 levels: more than anything here needs", "mirrors-20", phong, {}, {20}}}},
+        {"Haines' sphereflake",
+         "Each ball carries nine of a third of its radius, and they mirror each other: the scene of his Standard Procedural Databases "
+         "(1987), "
+         "as the rasteriser draws it and as rays do.",
+         made("sphereflake"),
+         -1,
+         {{"Phong", "flake-phong", phong, {{"depth", "3"}}}, {"rays", "flake-rays", phong, {{"depth", "3"}}, {5}}}},
+        {"Frosted glass",
+         "Four panes before one checkered wall and four balls, rougher from left to right: refracted rays are scattered about the "
+         "direction "
+         "that smooth glass would send them to.",
+         stored("frosted.toml"),
+         -1,
+         {{"one sample a pixel: what scatters is noise", "frosted-1", phong, {}, {5}},
+          {"9 samples a pixel: what scatters is blur", "frosted-9", phong, {}, {5, 0, 9}}}},
         {"The lost highlight",
          "A highlight in the middle of one large triangle. Gouraud knows the vertices only, where there is none; Phong, or a finer mesh, "
          "finds it.",

@@ -1,4 +1,4 @@
-// The exhibits of the gallery: which scene, in which shadings, what is to be seen in it. A table.
+// The exhibits of the gallery: which scene, in which shadings or by rays, what is to be seen in it. A table.
 #pragma once
 
 #include "plan/request.h"
@@ -8,11 +8,20 @@
 
 namespace lightbench {
 
+// Rays through the scene instead of the rasteriser, if depth is not 0.
+struct RayShot {
+    unsigned depth = 0; // levels of the ray tree
+    float cutoff = 0;
+    unsigned spp = 1;
+    bool counted = false; // rendered once more, untimed, for the number of rays of each kind
+};
+
 struct ShotRow {
     const char* caption;
     const char* file; // without extension
     Shading shading;
     MakeArguments arguments = {};
+    RayShot rays = {};
 };
 
 // One of the two is null.
