@@ -3,10 +3,12 @@
 
 #include "gpu/device.h"
 #include "gpu/memory_budget.h"
+#include "gpu/pipeline.h"
 #include "gpu/pipeline_cache.h"
 #include "gpu/validation.h"
 #include "gpu/vma.h"
 
+#include <map>
 #include <optional>
 #include <string_view>
 #include <vulkan/vulkan_raii.hpp>
@@ -33,6 +35,7 @@ struct DeviceState {
     vk::raii::Sampler nearest{nullptr};
     std::optional<CacheFile> cache_file; // none: LIGHTBENCH_NO_CACHE=1 or no folder
     vk::raii::PipelineCache cache{nullptr};
+    std::map<std::pair<const std::uint32_t*, Constants>, Stage> stages; // specialised, by shader and constants
     double pipeline_milliseconds = 0;
     explicit DeviceState(vk::raii::Context loader) : context(std::move(loader)) {}
     bool names = false; // VK_EXT_debug_utils is on

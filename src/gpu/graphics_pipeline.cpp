@@ -143,8 +143,8 @@ GraphicsPipeline make_graphics(Device& device, const GraphicsDesc& desc) {
     s.name = desc.name;
     s.push_size = desc.push_size;
     const CreationTimer timer(*s.device);
-    s.stages.push_back(make_stage(desc.vertex, desc.constants, desc.push_size));
-    if (desc.fragment) s.stages.push_back(make_stage(*desc.fragment, desc.constants, desc.push_size));
+    s.stages.push_back(make_stage(device.state(), desc.vertex, desc.constants, desc.push_size));
+    if (desc.fragment) s.stages.push_back(make_stage(device.state(), *desc.fragment, desc.constants, desc.push_size));
     strip_vertex_stage(s);
     check_interface(s);
     guarded("making the pipeline " + s.name, [&] {

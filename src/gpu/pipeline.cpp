@@ -28,13 +28,24 @@ vk::DescriptorType descriptor_type(BindingKind kind) {
     return {};
 }
 
-Stage make_stage(const ShaderCode& code, const Constants& constants, std::size_t push_size) {
+namespace {
+
+Stage specialized_stage(const ShaderCode& code, const Constants& constants, std::size_t push_size) {
     const Reflection written = reflect(code.words);
     if (written.push_size != 0) CHECK(written.push_size == push_size, "push constants of {}", code.name);
     Stage stage{.shader = std::string(code.name), .words = specialize(code, constants)};
     for (const ReflectedBinding& b : written.bindings) stage.declared.push_back(b.name);
     stage.reflection = reflect(stage.words);
     return stage;
+}
+
+} // namespace
+
+// Specialising takes a tenth of a second where a shader is large; a device keeps what it has specialised.
+const Stage& make_stage(DeviceState& device, const ShaderCode& code, const Constants& constants, std::size_t push_size) {
+    const auto [known, made] = device.stages.try_emplace({code.words.data(), constants});
+    if (made) known->second = specialized_stage(code, constants, push_size);
+    return known->second;
 }
 
 namespace {
@@ -105,7 +116,7 @@ ComputePipeline make_compute(Device& device, const ShaderCode& code, const Const
     s.name = code.name;
     s.push_size = push_size;
     const CreationTimer timer(*s.device);
-    s.stages.push_back(make_stage(code, constants, push_size));
+    s.stages.push_back(make_stage(device.state(), code, constants, push_size));
     guarded("making the pipeline " + s.name, [&] {
         make_layouts(s);
         const std::vector<std::uint32_t>& words = s.stages.front().words;

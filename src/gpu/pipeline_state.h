@@ -29,7 +29,7 @@ struct PipelineState {
 vk::DescriptorType descriptor_type(BindingKind kind);
 
 // Specialises and reflects one stage; CHECKs the size of its push constants.
-Stage make_stage(const ShaderCode& code, const Constants& constants, std::size_t push_size);
+const Stage& make_stage(DeviceState& device, const ShaderCode& code, const Constants& constants, std::size_t push_size);
 
 // Fills in bindings, set layouts and the pipeline layout from the stages.
 void make_layouts(PipelineState& state);

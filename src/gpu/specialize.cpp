@@ -27,7 +27,9 @@ void register_folding(spvtools::Optimizer& optimizer) {
     optimizer.RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
         .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass());
     register_branch_folding(optimizer);
-    optimizer.RegisterPass(spvtools::CreateMergeReturnPass())
+    optimizer
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass()) // those that only dead branches called, before they are inlined
+        .RegisterPass(spvtools::CreateMergeReturnPass())
         .RegisterPass(spvtools::CreateInlineExhaustivePass())
         .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass())
         .RegisterPass(spvtools::CreateScalarReplacementPass())
