@@ -8,9 +8,8 @@
 #include "lib/environment.glsl"
 
 // `turn`: radians that a pixel spans along the way in which it spans most; 0 where no neighbour is known.
-vec3 environment_radiance(vec3 d, float turn) {
+vec3 radiance_of(TexelInfo t, vec3 d, float turn) {
     const float kPi = 3.14159265;
-    TexelInfo t = push.environment;
     if (wants(EFFECT_SIX_FACES)) {
         vec2 uv;
         uint face = cube_face(d, uv);
@@ -18,6 +17,15 @@ vec3 environment_radiance(vec3 d, float turn) {
         return sample_trilinear(side, uv, log2(max(turn * float(t.width) * (2.0 / kPi), 1e-6))).rgb;
     }
     return sample_trilinear(t, equirect_uv(d), log2(max(turn * float(t.height) / kPi, 1e-6))).rgb;
+}
+
+// Of the scene's map.
+vec3 environment_radiance(vec3 d, float turn) { return radiance_of(push.environment, d, turn); }
+
+// What the surface mirrors: the map, or where there is none what was rendered from its object.
+vec3 surrounding_radiance(Material m, vec3 d, float turn) {
+    if (wants(EFFECT_RENDERED_CUBE)) return radiance_of(m.cube, d, turn);
+    return environment_radiance(d, turn);
 }
 
 #endif

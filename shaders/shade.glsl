@@ -33,7 +33,8 @@ const float kLeastNormal = 1.1754944e-38;
 const TexelInfo kNoTexels = TexelInfo(0u, 0u, 0u, 0u);
 const Material kNoMaterial =
     Material(vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0, vec3(0.0), 0.0, vec3(0.0), 0.0, kNoTexels, kNoTexels, vec2(0.0), 0.0, 0.0,
-             vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), vec4(0.0), vec4(0.0), vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0);
+             vec3(0.0), 0.0, vec3(0.0), 0.0, vec4(0.0), vec4(0.0), vec4(0.0), vec3(0.0), 0.0, vec3(0.0), 0u, vec3(0.0), 0.0,
+             kNoTexels);
 
 TexelInfo texel_info(uvec4 v) { return TexelInfo(v.x, v.y, v.z, v.w); }
 
@@ -86,6 +87,7 @@ Material read_material(uint index) {
     }
     if (wants(EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE)) m.bump_scale = uintBitsToFloat(fetch_materials(at + 8u).xyz);
     if (wants(EFFECT_MIRROR_ENVIRONMENT)) m.mirror = uintBitsToFloat(fetch_materials(at + 9u).xyz);
+    if (wants(EFFECT_RENDERED_CUBE)) m.cube = texel_info(fetch_materials(at + kMaterialCube));
     if (wants(EFFECT_MAP_SPHERICAL | EFFECT_MAP_CYLINDRICAL | EFFECT_MAP_PLANAR | EFFECT_BUMP_WAVES | EFFECT_BUMP_NOISE)) {
         m.map_x = uintBitsToFloat(fetch_materials(at + 10u));
         m.map_y = uintBitsToFloat(fetch_materials(at + 11u));

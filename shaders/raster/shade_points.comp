@@ -25,7 +25,7 @@ Detail read_detail(uint i) {
 
 vec3 mirrored(Surface s, Material m) {
     if (!wants(EFFECT_MIRROR_ENVIRONMENT)) return vec3(0.0);
-    return mirror_factor(s, m) * environment_radiance(reflected(s.normal, s.to_viewer), 0.0);
+    return mirror_factor(s, m) * surrounding_radiance(m, reflected(s.normal, s.to_viewer), 0.0);
 }
 
 void write_side(uint at, Surface s, Material m, vec3 smooth_normal) {

@@ -62,7 +62,7 @@ vec3 mirrored(Surface s, Material m) {
     if (!wants(EFFECT_MIRROR_ENVIRONMENT)) return vec3(0.0);
     vec3 r = reflected(s.normal, s.to_viewer);
     float turn = max(length(dFdx(r)), length(dFdy(r)));
-    return mirror_factor(s, m) * environment_radiance(r, turn);
+    return mirror_factor(s, m) * surrounding_radiance(m, r, turn);
 }
 
 vec3 shade_fragment(Material m, Footprint f, vec3 modulation) {

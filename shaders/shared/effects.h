@@ -31,6 +31,7 @@
 #define EFFECT_NORMAL_MAP 0x2000000u
 #define EFFECT_MIRROR_ENVIRONMENT 0x4000000u    // S12: some material mirrors the environment
 #define EFFECT_SIX_FACES 0x8000000u             // the environment is six faces, not one equirectangular picture
+#define EFFECT_RENDERED_CUBE 0x80000000u         // it is what objects see around them: six faces a surface, in place of a map
 #define EFFECT_BACKGROUND_MAP 0x20000000u       // it stands behind the scene
 #define EFFECT_TRANSPARENCY 0x10000000u         // S13: some opacity is below 1
 #define EFFECT_TEXTURE_ALPHA 0x40000000u        // the alpha of some picture multiplies the opacity

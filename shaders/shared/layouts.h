@@ -23,10 +23,11 @@ const uint kAttenuationNone = 0u;
 const uint kAttenuationLinear = 1u;
 const uint kAttenuationInverseSquare = 2u;
 
-const uint kMaterialTexels = 16u;  // of a Material
+const uint kMaterialTexels = 17u;  // of a Material
 const uint kMaterialOpacity = 4u;  // the texel that begins with it
 const uint kMaterialReflection = 13u;
 const uint kMaterialRefraction = 15u;
+const uint kMaterialCube = 16u;
 
 struct PointPosition {
     vec3 position;     // frame
@@ -103,6 +104,7 @@ struct Material {
     uint splits;       // kSplit... bits
     vec3 refraction;   // index of refraction, per channel
     float pad4;
+    TexelInfo cube;    // six faces, rendered from where the surface is; height as in ShadePush::environment
 };
 const uint kSplitFresnel = 1u;     // kr + kt is split by Fresnel
 const uint kSplitDispersion = 2u;  // the indices of the channels differ
@@ -170,7 +172,7 @@ struct Census {
 
 #ifdef __cplusplus
 static_assert(sizeof(PointPosition) == 16 && sizeof(PointNormal) == 16);
-static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 16 * kMaterialTexels && offsetof(Material, opacity) == 16 * kMaterialOpacity && offsetof(Material, reflection) == 16 * kMaterialReflection && offsetof(Material, refraction) == 16 * kMaterialRefraction && sizeof(Light) == 64);
+static_assert(sizeof(PointDetail) == 48 && sizeof(Material) == 16 * kMaterialTexels && offsetof(Material, opacity) == 16 * kMaterialOpacity && offsetof(Material, reflection) == 16 * kMaterialReflection && offsetof(Material, refraction) == 16 * kMaterialRefraction && offsetof(Material, cube) == 16 * kMaterialCube && sizeof(Light) == 64);
 static_assert(sizeof(ShadePush) == 128 && sizeof(LayersPush) == 48 && sizeof(DisplayPush) == 32 && sizeof(AccumulatePush) == 16 && sizeof(Census) == 8);
 } // namespace lightbench::gpu_layout
 #endif

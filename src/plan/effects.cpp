@@ -181,9 +181,24 @@ Verdict map_planar(const Facts& f, const Request& r) {
     return of_mapping(f, r, Mapping::planar);
 }
 
-Verdict mirror_environment(const Facts& f, const Request&) {
+bool traces(const Request& r) {
+    return r.method == Method::raytrace;
+}
+
+// Without a map the rasteriser mirrors what it renders itself; rays find the scene where they go.
+Verdict rendered_environment(const Facts& f, const Request& r) {
     if (f.environment_materials == 0) return no("no material mirrors it");
-    if (!f.environment_map) return no("{}, but the scene has no map", counted(f.environment_materials, "material"));
+    if (f.environment_map) return no("the scene has a map");
+    if (traces(r)) return no("rays meet the scene itself where kr > 0");
+    if (!f.cubes) return yes("the scene has no map: {} mirror it", counted(f.environment_materials, "material"));
+    if (f.cubes->objects == 0) return no("nothing that mirrors it has an extent");
+    return yes("the scene has no map: {} mirror{} it", counted(f.cubes->objects, "object"), f.cubes->objects == 1 ? "s" : "");
+}
+
+Verdict mirror_environment(const Facts& f, const Request& r) {
+    if (f.environment_materials == 0) return no("no material mirrors it");
+    if (!f.environment_map && !rendered_environment(f, r).wanted)
+        return no("{}, but the scene has no map", counted(f.environment_materials, "material"));
     return yes("{}", share(f.environment_materials, f.materials, "a weight of the environment"));
 }
 
@@ -193,7 +208,9 @@ Verdict many_materials(const Facts& f, const Request& r) {
                       (r.method == Method::raytrace && f.reflective_materials + f.transmissive_materials > 0);
     if (!read) return no("no property of a material changes the image");
     const bool detailed =
-        f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials + f.normal_map_materials > 0;
+        f.picture_materials + f.checker_materials + f.wave_materials + f.noise_materials + f.height_materials + f.normal_map_materials >
+            0 ||
+        rendered_environment(f, r).wanted;
     const std::size_t most = f.geometry ? f.geometry->surfaces : detailed ? f.objects : f.materials;
     if (f.materials == 1 && most <= 1) return no("every surface has the same material");
     if (f.materials == 1) return yes("one material, laid on {} in their own ways", counted(most, "object"));
@@ -204,13 +221,10 @@ Verdict background_map(const Facts& f, const Request&) {
     return f.environment_map ? yes("the scene has a map") : no("the scene has no map");
 }
 
-Verdict six_faces(const Facts& f, const Request&) {
+Verdict six_faces(const Facts& f, const Request& r) {
+    if (rendered_environment(f, r).wanted) return yes("what is rendered is six views");
     if (!f.environment_map) return no("the scene has no map");
     return f.six_faces ? yes("the map is six pictures") : no("the map is one picture");
-}
-
-bool traces(const Request& r) {
-    return r.method == Method::raytrace;
 }
 
 // Where nothing is refracted, what would be goes straight through.
@@ -303,6 +317,7 @@ const std::vector<Effect>& table() {
         {"bump: height image", EFFECT_BUMP_HEIGHT, bump_height, pictures, ""},
         {"bump: normal map", EFFECT_NORMAL_MAP, normal_map, pictures, ""},
         {"environment: mirrored", EFFECT_MIRROR_ENVIRONMENT, mirror_environment, pictures, ""},
+        {"environment: rendered", EFFECT_RENDERED_CUBE, rendered_environment, pictures, ""},
         {"environment: background", EFFECT_BACKGROUND_MAP, background_map, {}, ""},
         {"environment: six faces", EFFECT_SIX_FACES, six_faces, {}, ""},
         {"transparency", EFFECT_TRANSPARENCY, transparency, surface, "", RAY_STRAIGHT},

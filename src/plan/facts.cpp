@@ -61,7 +61,7 @@ void count_material(const Material& material, Facts& facts) {
     facts.tinted_materials += any(material.transmission) && (material.ior.x != material.ior.y || material.ior.x != material.ior.z);
     facts.transmissive_materials += any(material.transmission);
     facts.reflective_materials += any(material.reflection.value_or(material.specular));
-    facts.mirror_materials += material.reflection && any(*material.reflection);
+    facts.mirror_materials += material.reflection && any(*material.reflection) && material.environment == 0;
     facts.fresnel_materials += material.fresnel;
     facts.scattering_materials += material.scatter > 0;
     facts.dispersive_materials += material.dispersion.y != 0;
@@ -170,6 +170,10 @@ Facts gather_facts(const Scene& scene) {
     facts.camera = !scene.cameras.empty();
     facts.film = scene.film.has_value();
     return facts;
+}
+
+void add_view(Facts& facts, const Scene& scene, const View& view) {
+    if (facts.environment_materials > 0 && !facts.environment_map) facts.cubes = choose_cubes(scene, view);
 }
 
 void add_geometry(Facts& facts, const RasterGeometry& geometry) {

@@ -1,6 +1,7 @@
 // Counts and booleans about a scene: all that deciding needs to know of it. Pure.
 #pragma once
 
+#include "plan/cubes.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -35,16 +36,20 @@ struct Facts {
     std::size_t transmissive_materials = 0, reflective_materials = 0, scattering_materials = 0, dispersive_materials = 0;
     std::size_t tinted_materials = 0;  // transmissive, with indices of refraction that differ by channel
     std::size_t clear_materials = 0;   // opacity < 1, or the alpha of a picture: S13 alone
-    std::size_t mirror_materials = 0;  // that name a reflection > 0; the others reflect ks
+    std::size_t mirror_materials = 0;  // that name a reflection > 0 and no environment in its place; the others reflect ks
     std::size_t fresnel_materials = 0; // Fresnel split of reflection and transmission
     std::size_t two_sided_objects = 0; // some face is seen from behind
     std::size_t pictures = 0;
     bool ambient = false, background = false, environment_map = false, six_faces = false, camera = false, film = false;
     bool own_normals = false;              // some mesh or polygon came with normals
+    std::optional<EnvironmentCubes> cubes; // of a scene without a map, once the view is known
     std::optional<GeometryFacts> geometry; // once tessellated
 };
 
 Facts gather_facts(const Scene& scene);
+
+// What depends on where one stands. The scene is completed.
+void add_view(Facts& facts, const Scene& scene, const View& view);
 
 // Decided without these, a plan errs to the safe side: a mesh may be open, its own normals may vanish between vertices.
 void add_geometry(Facts& facts, const RasterGeometry& geometry);

@@ -147,11 +147,25 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     return passes;
 }
 
+// Each cube is a drawing of its own, with geometry and targets that are gone once its faces are read back.
+void add_cubes(std::vector<Pass>& passes, const Plan& plan) {
+    if (!(plan.effects & EFFECT_RENDERED_CUBE)) return;
+    std::string sizes;
+    for (const EnvironmentCube& cube : plan.cubes.cubes) sizes += fmt::format("{}{}", sizes.empty() ? "" : ", ", cube.size);
+    const std::string sides = sizes.empty() ? "sized by the view" : fmt::format("{} pixels a side", sizes);
+    passes.push_back({"environment-cube",
+                      fmt::format("6 views from the middle of what mirrors, without it, {}; mirrors in them are drawn without what they "
+                                  "mirror (one bounce)",
+                                  sides),
+                      {},
+                      {"texels"}});
+}
+
 std::vector<Pass> raster_passes(const Plan& plan, const Names& lit_reads) {
-    std::vector<Pass> passes = {
-        {"shade-polygons", "the model once a polygon, at its centre", joined({"polygons"}, lit_reads), {"polygon-colors"}},
-        {"shade-vertices", "the model once a vertex", joined({"vertices", "normals"}, lit_reads), {"vertex-colors"}},
-    };
+    std::vector<Pass> passes;
+    add_cubes(passes, plan);
+    passes.push_back({"shade-polygons", "the model once a polygon, at its centre", joined({"polygons"}, lit_reads), {"polygon-colors"}});
+    passes.push_back({"shade-vertices", "the model once a vertex", joined({"vertices", "normals"}, lit_reads), {"vertex-colors"}});
     Names targets;
     targets.emplace_back("radiance");
     targets.emplace_back("depth");

@@ -50,6 +50,16 @@ void decide_samples(const Request& request, Plan& plan) {
     plan.jittered = request.sampling == Sampling::jittered;
 }
 
+void decide_cubes(const Facts& facts, Plan& plan) {
+    if (!(plan.effects & EFFECT_RENDERED_CUBE) || !facts.cubes) return;
+    plan.cubes = *facts.cubes;
+    if (plan.cubes.objects <= kMostCubes) return;
+    plan.fallbacks.push_back(
+        {"environment: rendered", fmt::format("{} objects mirror: the {} nearest to the camera have cubes of their own, "
+                                              "the others share the nearest of those",
+                                              plan.cubes.objects, kMostCubes)});
+}
+
 // Layers: the terms that add up to the image, if they are not 0 everywhere, and what helps to understand it.
 std::vector<std::string> decide_terms(const Facts& facts, const Request& request, std::uint32_t mask) {
     if (!request.terms || request.output != Output::radiance) return {};
@@ -116,7 +126,10 @@ Resource describe(const std::string& name, const Facts& facts, const Plan& plan)
     if (request_rays(name)) return {name, 0, "sized by the scene's primitives and by the rays of a batch"};
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
     if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));
-    if (name == "texels") return {name, 0, fmt::format("{} pictures with their smaller levels", facts.pictures)};
+    if (name == "texels") {
+        const std::string cubes = plan.runs("environment-cube") ? fmt::format(", and 6 of each of {} cubes", plan.cubes.cubes.size()) : "";
+        return {name, 0, fmt::format("{} pictures{}, with their smaller levels", facts.pictures, cubes)};
+    }
     if (name == "layer-counts" || name == "layer-cursors") return target(name, 4, "a number a pixel", plan);
     if (name == "layer-blocks") return target(name, 1, "16 bytes for 64 pixels", plan);
     if (name == "layers") return {name, 0, "16 bytes a translucent fragment, and its surface or opacity: sized by their count"};
@@ -185,6 +198,7 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
         plan.fallbacks.push_back({"filter", "gaussian: the rasteriser's is a box, one pixel wide"});
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
+    decide_cubes(facts, plan);
     decide_samples(request, plan);
     plan.terms = decide_terms(facts, request, plan.effects);
     plan.passes = walk_back(candidate_passes(plan, reads), wanted_images(plan));

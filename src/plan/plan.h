@@ -58,6 +58,7 @@ struct Plan {
     std::size_t lights = 0;               // of the scene
     std::optional<std::size_t> triangles; // once tessellated
     std::size_t light_passes = 1;         // the lights are summed in this many bounded pieces
+    EnvironmentCubes cubes;               // rendered from objects that mirror; none with a map, or where nothing mirrors
     std::vector<std::string>
         terms; // layers besides the image: "ambient", "diffuse", "specular", "emission", "background", "attenuation", "normal", "depth", "object"
     std::vector<Line> wanted;    // effects that run

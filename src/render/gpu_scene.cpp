@@ -107,7 +107,10 @@ GpuScene upload_scene(gpu::Device& device, const Scene& scene, const RasterGeome
     out.vertex_count = static_cast<std::uint32_t>(geometry.vertices.positions.size());
     out.polygon_count = static_cast<std::uint32_t>(geometry.polygons.positions.size());
     if (plan.has("lights")) out.lights = up.table("lights", lights, FETCH_LIGHTS);
-    MaterialTables tables = plan.has("materials") || plan.has("texels") ? material_tables(scene, geometry, plan) : MaterialTables{};
+    const EnvironmentViews views = render_environment_cubes(device, scene, plan);
+    out.cube_milliseconds = views.milliseconds;
+    const bool has_tables = plan.has("materials") || plan.has("texels");
+    MaterialTables tables = has_tables ? material_tables(scene, geometry, plan, views.cubes) : MaterialTables{};
     if (plan.method == Method::raytrace && tables.materials.empty())
         tables.materials.emplace_back(); // no object: passes bind it all the same
     if (plan.has("materials")) out.materials = up.table("materials", tables.materials, FETCH_MATERIALS);

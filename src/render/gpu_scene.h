@@ -16,6 +16,7 @@ struct GpuScene {
     gpu::Buffer vertex_colors, polygon_colors;                      // what shading points wrote
     std::uint32_t vertex_count = 0, polygon_count = 0, light_count = 0;
     gpu_layout::TexelInfo environment{};
+    double cube_milliseconds = 0;    // device, of the views from objects that mirror
     std::uint32_t fetch_storage = 0; // FETCH_... bits of the tables that are no texel buffers here
 };
 

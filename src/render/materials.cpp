@@ -51,6 +51,7 @@ class Converter {
     gpu_layout::Material convert(const Surface& surface);
     gpu_layout::TexelInfo picture(std::uint32_t index, Content content, Wrap u, Wrap v);
     gpu_layout::TexelInfo faces(std::span<const AnyImage> images) { return texels_.add_faces(images); }
+    void add_cubes(std::span<const CubeFaces> cubes);
     TexelTable take() { return std::move(texels_); }
 
   private:
@@ -64,6 +65,7 @@ class Converter {
     const Frame& frame_;
     const Plan& plan_;
     TexelTable texels_;
+    std::vector<gpu_layout::TexelInfo> cubes_; // as Plan::cubes
     std::map<std::tuple<std::uint32_t, Content, Wrap, Wrap>, gpu_layout::TexelInfo> known_;
 };
 
@@ -75,6 +77,10 @@ gpu_layout::TexelInfo Converter::picture(std::uint32_t index, Content content, W
     it->second = content == Content::heights ? texels_.add_heights(image, wrap_u, wrap_v)
                                              : texels_.add(image, content == Content::color, wrap_u, wrap_v);
     return it->second;
+}
+
+void Converter::add_cubes(std::span<const CubeFaces> cubes) {
+    for (const CubeFaces& cube : cubes) cubes_.push_back(faces(std::vector<AnyImage>(cube.begin(), cube.end())));
 }
 
 void Converter::set_model(const Material& m, gpu_layout::Material& out) const {
@@ -140,6 +146,8 @@ gpu_layout::Material Converter::convert(const Surface& surface) {
     if (traced) set_rays(m, out);
     set_model(m, out);
     set_pictures(m, out);
+    // A surface that mirrors nothing has one too: what is read there is multiplied by 0, and must be finite.
+    if (!cubes_.empty()) out.cube = cubes_[plan_.cubes.of_object[surface.object]];
     if (m.texture || m.bump) set_mapping(m, scene_.objects[surface.object], out);
     return out;
 }
@@ -175,10 +183,11 @@ AnyImage decode_picture(const Picture& picture) {
     return image;
 }
 
-MaterialTables material_tables(const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
+MaterialTables material_tables(const Scene& scene, const RasterGeometry& geometry, const Plan& plan, std::span<const CubeFaces> cubes) {
     MaterialTables tables;
     Converter converter(scene, geometry.frame, plan);
     tables.environment = environment_of(scene, plan, converter);
+    converter.add_cubes(cubes);
     const std::span surfaces(geometry.surfaces);
     const std::size_t count = plan.effects & EFFECT_MANY_MATERIALS ? surfaces.size() : std::min<std::size_t>(surfaces.size(), 1);
     for (const Surface& surface : surfaces.first(count)) tables.materials.push_back(converter.convert(surface));

@@ -1,9 +1,10 @@
 // Materials as the shaders read them: one a surface, in the frame's units, with the pictures of all of them in one table of texels.
-// In: scene, surfaces, plan. Out: plain data to upload. FileError for a picture that cannot be read (image/files.h).
+// In: scene, surfaces, plan, the faces of its cubes. Out: plain data to upload. FileError for a picture that cannot be read (image/files.h).
 #pragma once
 
 #include "image/texels.h"
 #include "plan/plan.h"
+#include "render/environment_cube.h"
 #include "scene/tessellate.h"
 
 namespace lightbench {
@@ -17,6 +18,6 @@ struct MaterialTables {
     gpu_layout::TexelInfo environment{};         // six faces: height is the number of uvec4s of each
 };
 
-MaterialTables material_tables(const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
+MaterialTables material_tables(const Scene& scene, const RasterGeometry& geometry, const Plan& plan, std::span<const CubeFaces> cubes = {});
 
 } // namespace lightbench

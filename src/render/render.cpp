@@ -181,6 +181,7 @@ RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& 
     s.times.clear();
     gpu::Image& image = s.tracer ? record_rays(s, view, options, out) : record_drawing(s, view, drawing, out.triangles_drawn);
     read_output(s, image, out);
+    if (s.scene.cube_milliseconds > 0) add_times(out, {{"environment-cube", s.scene.cube_milliseconds}});
     add_times(out, s.times);
     if (s.tracer) {
         const AccelTables& accel = s.tracer->scene.accel;
@@ -212,6 +213,7 @@ TessellationRequest tessellation_for(const Plan& plan, const View& view) {
     request.subdivide = plan.subdivide;
     request.normals = plan.has("normals");
     request.detail = plan.has("detail");
+    request.cubes = plan.cubes.of_object;
     request.analytic = plan.method == Method::raytrace;
     request.polygons = request.analytic || plan.has("polygon-colors") || std::ranges::find(plan.terms, "object") != plan.terms.end();
     return request;

@@ -75,6 +75,12 @@ Bounds bounds_of(const Scene& scene) {
     return bounds;
 }
 
+Bounds bounds_of(const Scene& scene, const Object& object) {
+    Bounds bounds;
+    std::visit(BoundsAdder{scene, placement_of(scene.transforms[object.transform]), bounds}, object.shape);
+    return bounds;
+}
+
 Frame frame_of(const Bounds& bounds) {
     if (bounds.empty()) return {};
     Frame frame;

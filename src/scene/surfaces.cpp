@@ -137,13 +137,23 @@ glm::dvec3 metres_per_mapping_unit(const Scene& scene, const Object& object, Map
     return mapping_box(scene, object, mapping).extents;
 }
 
+SurfaceTable::SurfaceTable(const Scene& scene, std::span<const std::uint32_t> cubes) : scene_(scene), cubes_(cubes) {
+    if (!cubes.empty()) cube_count_ = std::size_t{*std::ranges::max_element(cubes)} + 1;
+    known_.resize(scene.materials.size() * cube_count_);
+}
+
+SurfaceTable::Known& SurfaceTable::known(std::uint32_t material, std::uint32_t object) {
+    const bool mirrors = !cubes_.empty() && scene_.materials[material].environment > 0;
+    return known_[material * cube_count_ + (mirrors ? cubes_[object] : 0)];
+}
+
 std::uint32_t SurfaceTable::add(std::uint32_t material, std::uint32_t object) {
     surfaces_.push_back({material, object});
     return static_cast<std::uint32_t>(surfaces_.size() - 1);
 }
 
 std::uint32_t SurfaceTable::number(std::uint32_t material, std::uint32_t object) {
-    Known& known = known_[material];
+    Known& known = this->known(material, object);
     if (known.object == object) return known.surface;
     known.object = object;
     if (depends_on_object(scene_.materials[material], scene_, scene_.objects[object])) return known.surface = add(material, object);

@@ -6,6 +6,7 @@
 #include "scene/tessellate.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace lightbench {
@@ -43,7 +44,8 @@ glm::dvec3 metres_per_mapping_unit(const Scene& scene, const Object& object, Map
 // Numbers the surfaces in order of first use. Objects come one after the other.
 class SurfaceTable {
   public:
-    explicit SurfaceTable(const Scene& scene) : scene_(scene), known_(scene.materials.size()) {}
+    // `cubes` as in TessellationRequest; it is kept by reference.
+    SurfaceTable(const Scene& scene, std::span<const std::uint32_t> cubes);
     std::uint32_t number(std::uint32_t material, std::uint32_t object);
     std::vector<Surface> take() { return std::move(surfaces_); }
 
@@ -54,9 +56,12 @@ class SurfaceTable {
         std::uint32_t shared = kUnknown;                     // the surface of all objects that nothing depends on
     };
     std::uint32_t add(std::uint32_t material, std::uint32_t object);
+    Known& known(std::uint32_t material, std::uint32_t object);
 
     const Scene& scene_;
-    std::vector<Known> known_; // one a material
+    std::span<const std::uint32_t> cubes_;
+    std::size_t cube_count_ = 1;
+    std::vector<Known> known_; // one a material and cube
     std::vector<Surface> surfaces_;
 };
 

@@ -28,7 +28,7 @@ bool is_faceted(const Shape& shape) {
 class Tessellator {
   public:
     Tessellator(const Scene& scene, const TessellationRequest& request)
-        : scene_(scene), request_(request), surfaces_(scene), meshes_(scene.meshes.size()) {
+        : scene_(scene), request_(request), surfaces_(scene, request.cubes), meshes_(scene.meshes.size()) {
         geometry_.frame = frame_of(bounds_of(scene));
     }
     RasterGeometry run();

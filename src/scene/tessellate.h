@@ -27,6 +27,7 @@ struct Bounds {
 
 // Tight for meshes and polygons, conservative for transformed curved shapes. World space.
 Bounds bounds_of(const Scene& scene);
+Bounds bounds_of(const Scene& scene, const Object& object); // one of the scene
 Frame frame_of(const Bounds& bounds);
 
 // How fine: curved primitives are cut until the chord is nearer to the surface than `pixels` as seen from `eye`.
@@ -39,6 +40,8 @@ struct TessellationRequest {
     bool detail = false;       // true: meshes with uv get the stream of detail (uv and its gradients)
     bool polygons = true;      // false (nobody asks which polygon): no vertex is doubled to provoke, the stream of polygons is empty
     bool analytic = false;     // true: meshes and polygons only; rays are tested against the other shapes themselves (accel/primitives.h)
+    // By object, what it mirrors where that is rendered (plan/cubes.h): surfaces do not share across these.
+    std::vector<std::uint32_t> cubes{};
 };
 
 // A run of triangles that are near each other: the unit of culling.

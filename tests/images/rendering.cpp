@@ -15,7 +15,9 @@ Rendered render_scene(Scene scene, Request request) {
     CompleteResult completed = complete(scene, request);
     for (const Problem& p : completed.problems) ADD_FAILURE() << to_string(p);
     const View view = completed.completed.value().view;
-    const Plan plan = decide(gather_facts(scene), request, completed.completed->notes);
+    Facts facts = gather_facts(scene);
+    add_view(facts, scene, view);
+    const Plan plan = decide(facts, request, completed.completed->notes);
     RasterGeometry geometry = tessellate(scene, tessellation_for(plan, view));
     Renderer renderer(test_device(), scene, geometry, plan);
     RenderOutput output = renderer.render(view);

@@ -38,7 +38,7 @@ TEST(PlanEffects, EveryRowHasItsOwnBitAndEveryEffectALine) {
         bits |= effect.bit, ray_bits |= effect.ray_bit;
         EXPECT_TRUE(effect.instead.empty() || effect.bit == 0u) << effect.name << ": drawn, and something else in its place";
     }
-    EXPECT_EQ(bits, (EFFECT_TEXTURE_ALPHA << 1) - 1) << "a bit of shared/effects.h has no row";
+    EXPECT_EQ(bits, 0xffffffffu) << "a bit of shared/effects.h has no row";
     const Plan plan = plan_of(lit_sphere());
     EXPECT_EQ(plan.wanted.size() + plan.skipped.size() + plan.fallbacks.size(), effects().size());
     EXPECT_EQ(plan.wanted.size(), static_cast<std::size_t>(std::popcount(plan.effects)));
@@ -236,7 +236,8 @@ TEST(PlanEffects, BumpsNeedATermThatReadsNormals) {
 TEST(PlanEffects, EnvironmentsAreMirroredAndSeenBehind) {
     Scene scene = lit_sphere();
     scene.materials[0].environment = 0.5f;
-    EXPECT_EQ(reason_of(plan_of(scene).skipped, "environment: mirrored"), "1 material, but the scene has no map");
+    EXPECT_EQ(reason_of(ray_plan_of(scene).skipped, "environment: mirrored"), "1 material, but the scene has no map");
+    EXPECT_EQ(reason_of(ray_plan_of(scene).skipped, "environment: rendered"), "rays meet the scene itself where kr > 0");
     scene.pictures.resize(6);
     scene.environment.map = {0};
     const Plan one = plan_of(scene);
@@ -246,6 +247,27 @@ TEST(PlanEffects, EnvironmentsAreMirroredAndSeenBehind) {
     EXPECT_TRUE(plan_of(scene).effects & EFFECT_SIX_FACES);
     scene.environment.map.clear();
     EXPECT_FALSE(plan_of(scene).runs("background"));
+}
+
+TEST(PlanEffects, WithoutAMapTheEnvironmentIsRenderedOnce) {
+    Scene scene = lit_sphere();
+    EXPECT_FALSE(plan_of(scene).runs("environment-cube"));
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "environment: rendered"), "no material mirrors it");
+    scene.materials[0].environment = 0.5f;
+    for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
+        Request request;
+        request.shading = shading;
+        const Plan plan = plan_of(scene, request);
+        EXPECT_EQ(plan.effects,
+                  EFFECT_DIFFUSE | EFFECT_DIRECTIONAL_LIGHT | EFFECT_MIRROR_ENVIRONMENT | EFFECT_SIX_FACES | EFFECT_RENDERED_CUBE);
+        EXPECT_EQ(pass_names(plan).front(), "environment-cube");
+        EXPECT_TRUE(plan.has("texels"));
+        EXPECT_FALSE(plan.runs("background"));
+    }
+    scene.pictures.resize(1);
+    scene.environment.map = {0};
+    EXPECT_FALSE(plan_of(scene).effects & EFFECT_RENDERED_CUBE);
+    EXPECT_EQ(reason_of(plan_of(scene).skipped, "environment: rendered"), "the scene has a map");
 }
 
 TEST(PlanEffects, TransparencyIsThreePassesAndSeenFromBehind) {

@@ -85,6 +85,8 @@ TEST(PlanFacts, MirrorsAreThoseThatSaySo) {
     EXPECT_EQ(gather_facts(scene).reflective_materials, 0u);
     scene.materials[0].reflection = glm::vec3(0.1f);
     EXPECT_EQ(gather_facts(scene).mirror_materials, 1u);
+    scene.materials[0].environment = 1;
+    EXPECT_EQ(gather_facts(scene).mirror_materials, 0u); // the environment is what it mirrors
 }
 
 TEST(PlanFacts, TessellationRefinesThem) {
