@@ -44,7 +44,7 @@ layout(location = 12) out vec2 out_uv;
 layout(location = 13) out vec3 out_u_gradient;
 layout(location = 14) out vec3 out_v_gradient;
 
-bool wants(uint effect) { return (kEffects & effect) != 0u; }
+#define wants(effect) ((kEffects & (effect)) != 0u)
 
 // A side has one color, or where a texture modulates it two: what is proportional to kd, and the rest.
 void hand_on_flat() {

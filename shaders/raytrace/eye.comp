@@ -19,7 +19,7 @@ layout(set = 0, binding = 34, scalar) writeonly buffer Tree { uvec4 node_words[]
 layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
 layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_media[]; };
 
-bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
+#define wants_ray(effect) ((kRayEffects & (effect)) != 0u) // a macro for the reason that shade.glsl gives
 
 #include "raytrace/sample.glsl"
 

@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push { FilterPush push; };
 layout(set = 0, binding = 0, rgba32f) readonly uniform image2D frame;
 layout(set = 0, binding = 1, rgba32f) uniform image2D sum;
 
-bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
+#define wants_ray(effect) ((kRayEffects & (effect)) != 0u)
 
 #include "raytrace/sample.glsl"
 

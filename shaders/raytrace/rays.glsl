@@ -18,7 +18,7 @@ layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
 
 FETCH_TABLE(hit_rays, FETCH_RAYS, 42)
 
-bool wants_ray(uint effect) { return (kRayEffects & effect) != 0u; }
+#define wants_ray(effect) ((kRayEffects & (effect)) != 0u) // a macro for the reason that shade.glsl gives
 
 // Work groups come in rows, since not every device takes many along x.
 uint invocation() { return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationID.x; }

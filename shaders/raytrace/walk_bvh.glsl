@@ -12,8 +12,8 @@
 FETCH_TABLE(narrow, FETCH_NARROW, 6)
 
 layout(constant_id = CONSTANT_LOOSE) const uint kLoose = 0u;
-bool in_tree(uint type) { return (kLoose >> (12u + type) & 1u) != 0u; }
-uint loose(uint type) { return kLoose >> (4u * type) & 15u; }
+#define in_tree(type) ((kLoose >> (12u + (type)) & 1u) != 0u)
+#define loose(type) (kLoose >> (4u * (type)) & 15u)
 
 // What is in no tree, since there are too few of its type.
 void test_loose(inout RayHit hit) {
