@@ -31,7 +31,10 @@ vec2 image_point(uint i, out uint key) {
         return uintBitsToFloat(p.xy);
     }
     uvec2 pixel = uvec2(push.tile_x, push.tile_y) + tile_pixel(i, uvec2(push.tile_size & 0xffffu, push.tile_size >> 16u));
-    vec2 within = sample_within(pixel, push.sample_index, push.seed, push.shift, push.cell, key);
+    vec2 within = push.shift;
+    key = 0u; // nothing is drawn from it
+    if (wants_ray(RAY_JITTER | RAY_SCATTER))
+        within = sample_within(pixel, push.sample_index, push.seed, push.shift, push.cell, key);
     return vec2(ivec2(pixel)) + within; // pixels beside the image, which a wide filter sees, have negative coordinates too
 }
 

@@ -163,8 +163,8 @@ gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions&
     const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, progress, options.stop};
     RayFrame nothing{view, s.plan.crop};
     if (s.lattice) nothing.points = &s.lattice->points, nothing.lattice = &s.lattice->radiance;
+    s.recorder.clear(s.targets.resolved, {}); // what a frame that is stopped early does not reach
     warm_up(*s.tracer, work, nothing, s.targets.resolved);
-    s.recorder.clear(s.targets.resolved, {});
     out.done = 0;
     for (; i < s.plan.frames && trace_pass(s, work, view, i, image); ++i) {
         if (!options.pass || i + 1 == s.plan.frames) continue;

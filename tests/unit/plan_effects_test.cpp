@@ -169,7 +169,7 @@ TEST(PlanEffects, RaysAreSentOnlyWhereAMaterialSendsThem) {
     EXPECT_EQ(ray_plan_of(scene).ray_effects, RAY_SHADOWS);
     m.transmission = glm::vec3(0.5f);
     const Plan glass = ray_plan_of(scene);
-    EXPECT_EQ(glass.ray_effects, RAY_SHADOWS | RAY_CLEAR_SHADOWS | RAY_REFRACTED);
+    EXPECT_EQ(glass.ray_effects, RAY_SHADOWS | RAY_CLEAR_SHADOWS | RAY_REFRACTED | RAY_REFLECTED) << "total reflection";
     EXPECT_FALSE(glass.effects & EFFECT_TRANSPARENCY) << "what is transmitted is refracted, not blended";
     EXPECT_TRUE(glass.runs("gather"));
     m.opacity = glm::vec3(0.5f);
