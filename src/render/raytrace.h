@@ -7,6 +7,7 @@
 #include "render/gpu_scene.h"
 #include "render/ray_scene.h"
 #include "render/render.h"
+#include "shared/rays.h"
 
 #include <array>
 #include <functional>
