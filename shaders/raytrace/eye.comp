@@ -1,4 +1,4 @@
-// Eye rays of a tile, one a pixel, or through listed points of the image. In: the camera. Out: the first generation of rays, their nodes.
+// Eye rays of a tile, one a pixel, or through listed points of the image. In: the camera. Out: the first generation of rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -15,7 +15,6 @@ layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { EyePush push; };
 FETCH_TABLE(eye_points, FETCH_EYE_POINTS, 24)
 layout(set = 0, binding = 32, scalar) writeonly buffer NextRays { uvec4 next_rays[]; };
-layout(set = 0, binding = 34, scalar) writeonly buffer Tree { uvec4 node_words[]; };
 layout(set = 0, binding = 36, scalar) buffer Counters { RayCounters counters; };
 layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_media[]; };
 
@@ -49,6 +48,5 @@ void main() {
     uvec4 a, b, c;
     pack_ray(Ray(push.eye, after, d, kNothing, 0.0, 1u | 7u << 8u, 1.0, key), a, b, c);
     next_rays[kRayTexels * i] = a, next_rays[kRayTexels * i + 1u] = b, next_rays[kRayTexels * i + 2u] = c;
-    node_words[kRayNodeTexels * i + 1u] = uvec4(floatBitsToUint(vec3(1.0)), kRayEye);
     if (wants_ray(RAY_REFRACTED)) next_media[i] = push.media;
 }

@@ -11,17 +11,15 @@ uvec2 divide(uint a, uint b) {
     return uvec2(a - q * b, q);
 }
 
+// One division whichever part the sample lies in: CPU drivers would do all three.
 uvec2 tile_pixel(uint i, uvec2 size) {
     uvec2 whole = uvec2(size.x & ~3u, size.y & ~1u);
     uint blocks = whole.x * whole.y, right = (size.x - whole.x) * size.y;
-    if (i < blocks) {
-        uint block = i >> 3u, columns = whole.x >> 2u;
-        return divide(block, columns) * uvec2(4u, 2u) + uvec2(i & 3u, i >> 2u & 1u);
-    }
-    uint left = i - blocks;
-    if (left < right) return uvec2(whole.x, 0u) + divide(left, size.x - whole.x);
-    left -= right;
-    return uvec2(0u, whole.y) + divide(left, whole.x);
+    bool in_block = i < blocks, beside = i - blocks < right;
+    uint place = in_block ? i >> 3u : beside ? i - blocks : i - blocks - right;
+    uvec2 at = divide(place, in_block ? whole.x >> 2u : beside ? size.x - whole.x : whole.x);
+    if (in_block) return at * uvec2(4u, 2u) + uvec2(i & 3u, i >> 2u & 1u);
+    return at + (beside ? uvec2(whole.x, 0u) : uvec2(0u, whole.y));
 }
 
 #endif

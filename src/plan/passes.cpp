@@ -126,9 +126,9 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     std::vector<Pass> passes;
     add_lattice(passes, plan);
     if (is_adaptive(plan))
-        passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays", "ray-tree"}});
+        passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays"}});
     else
-        passes.push_back({"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays", "ray-tree"}});
+        passes.push_back({"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays"}});
     passes.insert(passes.end(), {
                                     {"trace", "the nearest hit of each ray", {"rays", "primitives", "structure"}, {"hits"}},
                                     {"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent},

@@ -141,7 +141,8 @@ ProbedRay tell(const Teller& teller, const Generation& g, std::uint32_t i, std::
     const Ray& r = g.rays[i];
     const RayNode &node = totals[g.is.first + i], &own = g.nodes[i];
     ProbedRay ray;
-    ray.kind = kKinds[own.kind & 3], ray.level = r.level & 0xff, ray.weight = own.weight;
+    const bool eye = g.is.first == 0; // it is in nobody's sum, so that its node has no weight
+    ray.kind = kKinds[eye ? gpu_layout::kRayEye : own.kind & 3], ray.level = r.level & 0xff, ray.weight = eye ? glm::vec3(1) : own.weight;
     ray.origin = teller.world(r.origin), ray.direction = r.direction, ray.radiance = node.color;
     const std::size_t h = static_cast<std::size_t>(std::ranges::find(g.hit_rays, i) - g.hit_rays.begin());
     if (h == g.hit_rays.size()) return ray;

@@ -108,7 +108,7 @@ void TileTracer::record_eye(const Tile& tile) {
     push.tile_size = tile.packed(), push.count = tile.count(), push.first = tile.x;
     push.shift = frame_.shift, push.cell = frame_.cell, push.seed = w_.plan.seed, push.sample_index = frame_.sample;
     w_.recorder.fill(b_.counters, 0);
-    gpu::Bindings bindings{{"NextRays", b_.rays[now_]}, {"Tree", b_.tree}, {"Counters", b_.counters}};
+    gpu::Bindings bindings{{"NextRays", b_.rays[now_]}, {"Counters", b_.counters}};
     if (b_.media[now_]) bindings.emplace_back("NextMedia", b_.media[now_]);
     if (frame_.points) offer_table(bindings, "eye_points", *frame_.points);
     const std::uint32_t more = frame_.points ? RAY_LIST : frame_.cell > 0 ? RAY_JITTER : 0;
