@@ -20,6 +20,7 @@ uvec3 grid_cell(VoxelSpace space, uint cell) {
 // has been met. A step leaves by one plane, so there are no more of them than the three sides have cells (TS-8).
 // Put down: node is the cell, top 0, a how much of its list is done.
 bool walk_grid(inout RayHit hit, bool first, inout Walk w) {
+    mailbox = uvec4(kNothing); // of this walk: the next one of the same ray looks behind what this one found
     uvec4 x = fetch_nodes(0u), y = fetch_nodes(1u), z = fetch_nodes(2u);
     VoxelSpace space = VoxelSpace(uintBitsToFloat(x.xyz), uintBitsToFloat(y.xyz), uvec3(x.w, y.w, z.x));
     bool begins = w.top != 0u;

@@ -48,6 +48,7 @@ float octree_leave(VoxelSpace space, OctreeLeaf leaf, out uvec3 next) {
 
 // Put down: top 3, stack[0 .. 2] the finest voxel, a how much of its leaf's list is done.
 bool walk_octree(inout RayHit hit, bool first, inout Walk w) {
+    mailbox = uvec4(kNothing); // of this walk: the next one of the same ray looks behind what this one found
     uvec4 x = fetch_nodes(0u), y = fetch_nodes(1u), z = fetch_nodes(2u);
     VoxelSpace space = VoxelSpace(uintBitsToFloat(x.xyz), uintBitsToFloat(y.xyz), uvec3(kOctreeSide));
     bool begins = w.top != 3u;
