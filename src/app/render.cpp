@@ -32,6 +32,8 @@ SceneOptions check_arguments(const RenderArguments& arguments) {
     options.request.output = output_of(arguments.output).value_or(Output::pixels);
     if (options.request.terms && options.request.output != Output::radiance)
         problems.push_back({"--terms", 0, 0, fmt::format("layers need an .exr; -o names {}", arguments.output)});
+    if (options.request.terms && options.request.method != Method::raster)
+        problems.push_back({"--terms", 0, 0, "layers are drawn by --method raster only; rays have none in this version"});
     if (several && !options.stats.empty() && options.stats != "-" && frame_path(options.stats, 0) == options.stats)
         problems.push_back({"--stats", 0, 0, fmt::format("\"{}\" must hold %04d, or be -, if there are several frames", options.stats)});
     if (!problems.empty()) throw UserError(problems);

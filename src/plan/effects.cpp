@@ -327,7 +327,7 @@ const std::vector<Effect>& table() {
         {"scatter", 0, scatter, surface, "drawn as if polished", RAY_SCATTER},
         {"dispersion", 0, dispersion, surface, "drawn without colors split", RAY_DISPERSION},
         {"shadows", 0, shadows, light, "", RAY_SHADOWS},
-        {"shadows: through what is clear", 0, clear_shadows, surface, "", RAY_CLEAR_SHADOWS},
+        {"shadows: clear", 0, clear_shadows, surface, "", RAY_CLEAR_SHADOWS},
         {"adaptive depth", 0, cutoff, {}, "", RAY_CUTOFF},
         {"counters", 0, counters, {}, "", RAY_COUNT},
     };

@@ -59,6 +59,7 @@ const BadOption kBad[] = {
     {{"--contrast", "0.1,0.1,0.1"}, "--contrast: belongs to --sampling adaptive"},
     {{"--max-level", "3"}, "--max-level: belongs to --sampling adaptive"},
     {{"--depth", "0"}, "--depth: 0 sees nothing"},
+    {{"--method", "raytrace", "--terms"}, "--terms: layers are drawn by --method raster only"},
     {{"--depth", "256"}, "--depth: \"256\" must be a whole number from 1 to 255"},
     {{"--cutoff", "1.5"}, "--cutoff: \"1.5\" must be a weight from 0 to 1"},
     {{"--accel", "kd-tree"}, "--accel: \"kd-tree\" is unknown"},
