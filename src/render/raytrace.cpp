@@ -40,7 +40,8 @@ RayBuffers make_buffers(gpu::Device& device, const Plan& plan, std::uint32_t lig
     RayBuffers b;
     const std::uint64_t pixels = std::uint64_t{plan.crop.size.x + 2} * (plan.crop.size.y + 2);
     const bool one = !(plan.ray_effects & kSpawns);
-    b.capacity = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 4096, kCapacity));
+    // The tree of a single pixel must fit, however small the image: a crop is refused no sooner than the whole.
+    b.capacity = one ? static_cast<std::uint32_t>(std::clamp<std::uint64_t>(pixels, 4096, kCapacity)) : kCapacity;
     b.nodes = b.capacity * (one ? 1 : kNodesPerRay);
     b.lights = std::clamp(lights, 1u, kLightsPerPiece);
     const auto table = [&](const char* name, std::uint64_t bytes) { return gpu::make_texel_buffer(device, name, bytes); };
