@@ -108,9 +108,11 @@ bool TileTracer::run_generation(const Generation& g) {
 }
 
 void TileTracer::warm_up(gpu::Image& image) {
-    // Where memory is the host's, its pages are made when they are first written to, which took a fifth of the first frame.
+    // Where memory is the host's, its pages are made when they are first written to, which took a fifth of the first frame. A small image
+    // uses so little of the buffers that touching all of them would take longer.
+    const bool large = frame_.area.size.x * frame_.area.size.y >= b_.capacity / 4;
     for (gpu::Buffer* b : {&b_.rays[0], &b_.rays[1], &b_.hits, &b_.hit_rays, &b_.points, &b_.visibility, &b_.tree})
-        if (*b && w_.device.info().is_cpu) w_.recorder.fill(*b, 0);
+        if (*b && large && w_.device.info().is_cpu) w_.recorder.fill(*b, 0);
     w_.recorder.fill(b_.counters, 0);
     const Tile nothing{frame_.area.offset.x, frame_.area.offset.y, 0, 0};
     record_eye(nothing);
