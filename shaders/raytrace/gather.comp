@@ -26,5 +26,5 @@ void main() {
         // A weight of 0 stands for nothing, whatever arrives: 0 times an infinity is no number (TR-1).
         color += mix(weight * arriving, vec3(0.0), equal(weight, vec3(0.0)));
     }
-    for (uint n = uint((node.w & 7u) > 0u); n > 0u; --n) node_words[at] = uvec4(floatBitsToUint(color), node.w);
+    if ((node.w & 7u) > 0u) node_words[at] = uvec4(floatBitsToUint(color), node.w);
 }

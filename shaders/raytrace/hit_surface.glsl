@@ -90,11 +90,11 @@ HitSurface hit_surface(RayHit hit) {
     HitSurface h = HitSurface(vec3(0.0), vec3(0.0), vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), 0u, 0u, kNoDetail);
     uint type = type_of(hit.ref), index = index_of(hit.ref);
     if (wants_ray(RAY_TRIANGLES))
-        for (uint n = uint(type == kTypeTriangle); n > 0u; --n) triangle_surface(h, index, vec2(hit.b1, hit.b2));
+        if (type == kTypeTriangle) triangle_surface(h, index, vec2(hit.b1, hit.b2));
     if (wants_ray(RAY_SPHERES))
-        for (uint n = uint(type == kTypeSphere); n > 0u; --n) sphere_surface(h, index, hit.t);
+        if (type == kTypeSphere) sphere_surface(h, index, hit.t);
     if (wants_ray(RAY_SHAPES))
-        for (uint n = uint(type == kTypeShape); n > 0u; --n) shape_surface(h, index, hit.t, floatBitsToUint(hit.b1));
+        if (type == kTypeShape) shape_surface(h, index, hit.t, floatBitsToUint(hit.b1));
     return h;
 }
 

@@ -79,24 +79,23 @@ void test_shape(uint index, inout RayHit hit) {
     vec3 o = vec3(dot(rx, p), dot(ry, p), dot(rz, p)), d = vec3(dot(rx, ray.d), dot(ry, ray.d), dot(rz, ray.d));
     float after = after_for(number), t = kNoHit;
     uint part = 0u;
-    // Loops of one round at most: an `if` would run all four shapes on a CPU driver.
     if (wants_ray(RAY_BOXES))
-        for (uint i = 0u; i < uint(k.x == kShapeBox); ++i) {
+        if (k.x == kShapeBox) {
             t = ray_cube(o, d, after, part);
             if (wants_ray(RAY_COUNT)) ++tested_boxes;
         }
     if (wants_ray(RAY_BALLS))
-        for (uint i = 0u; i < uint(k.x == kShapeBall); ++i) {
+        if (k.x == kShapeBall) {
             t = ray_ball(o, d, after);
             if (wants_ray(RAY_COUNT)) ++tested_balls;
         }
     if (wants_ray(RAY_CONES))
-        for (uint i = 0u; i < uint(k.x == kShapeCone); ++i) {
+        if (k.x == kShapeCone) {
             t = ray_cone(o, d, parameters.x, parameters.y, parameters.z != 0.0, after, part);
             if (wants_ray(RAY_COUNT)) ++tested_cones;
         }
     if (wants_ray(RAY_TORI))
-        for (uint i = 0u; i < uint(k.x == kShapeTorus); ++i) {
+        if (k.x == kShapeTorus) {
             t = ray_torus(o, d, parameters.x, after);
             if (wants_ray(RAY_COUNT)) ++tested_tori;
         }
@@ -110,11 +109,11 @@ uint index_of(uint ref) { return ref & kRefIndex; }
 void test_reference(uint ref, inout RayHit hit) {
     uint type = type_of(ref);
     if (wants_ray(RAY_TRIANGLES))
-        for (uint i = 0u; i < uint(type == kTypeTriangle); ++i) test_triangle(index_of(ref), hit);
+        if (type == kTypeTriangle) test_triangle(index_of(ref), hit);
     if (wants_ray(RAY_SPHERES))
-        for (uint i = 0u; i < uint(type == kTypeSphere); ++i) test_sphere(index_of(ref), hit);
+        if (type == kTypeSphere) test_sphere(index_of(ref), hit);
     if (wants_ray(RAY_SHAPES))
-        for (uint i = 0u; i < uint(type == kTypeShape); ++i) test_shape(index_of(ref), hit);
+        if (type == kTypeShape) test_shape(index_of(ref), hit);
 }
 
 uint number_of(uint ref) {
