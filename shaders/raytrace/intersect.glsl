@@ -45,7 +45,16 @@ float after_for(uint number) {
     return number > ray.after_number ? before : ray.after;
 }
 
+// A pass that asks only whether anything is there takes the first that it meets, whatever its number and its distance.
+#ifndef LIGHTBENCH_ANY_HIT
+#define LIGHTBENCH_ANY_HIT false
+#endif
+
 void offer(inout RayHit hit, float t, uint ref, uint number, float b1, float b2) {
+    if (LIGHTBENCH_ANY_HIT) {
+        hit.ref = t < hit.t ? ref : hit.ref;
+        return;
+    }
     bool nearer = t < hit.t || (t == hit.t && number < hit_number);
     hit.t = nearer ? t : hit.t;
     hit.ref = nearer ? ref : hit.ref;

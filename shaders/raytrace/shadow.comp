@@ -5,6 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_samplerless_texture_functions : require
 #define LIGHTBENCH_TRACED
+#define LIGHTBENCH_ANY_HIT (!wants_ray(RAY_CLEAR_SHADOWS))
 #include "raytrace/walks.glsl"
 #include "raytrace/points.glsl"
 #include "raytrace/hit_surface.glsl"

@@ -144,6 +144,20 @@ bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
             float limit = any && hit.ref != kNothing ? -1.0 : hit.t;
             uint entered = packet_or(enter_wide(n, low, high, ray.inv_d, limit));
             uvec4 child = n.children;
+            ++steps;
+            if (any) { // the order does not matter, and sorting is a third of a node's work
+                stack[top] = child.w;
+                top += uint((entered & 8u) != 0u && child.w != kNothing);
+                stack[top] = child.z;
+                top += uint((entered & 4u) != 0u && child.z != kNothing);
+                stack[top] = child.y;
+                top += uint((entered & 2u) != 0u && child.y != kNothing);
+                stack[top] = child.x;
+                top += uint((entered & 1u) != 0u && child.x != kNothing);
+                --top;
+                at = stack[top];
+                continue;
+            }
             vec4 t = (n.low_x + n.high_x) * along.x + (n.low_y + n.high_y) * along.y + (n.low_z + n.high_z) * along.z;
             t = mix(vec4(kNoHit), t, notEqual(uvec4(entered) & uvec4(1u, 2u, 4u, 8u), uvec4(0u)));
             t = mix(t, vec4(kNoHit), equal(child, uvec4(kNothing)));
@@ -157,7 +171,6 @@ bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
             bool none = t.x == kNoHit;
             top -= uint(none);
             at = none ? stack[top] : child.x;
-            ++steps;
         }
         while (is_leaf(at) && at != kNothing) {
             test_leaf(at, hit);

@@ -48,8 +48,8 @@ void write_child(AccelTables& tables, std::size_t at, int i, const FloatBox& box
 
 } // namespace
 
-// A walk that goes into one child keeps the others: the stack grows by their number a level. Two more: one that says where the stack ends,
-// one for a walk that writes first and then decides whether to keep it.
+// A walk that goes into one child keeps the others: the stack grows by their number a level. Three more: one that says where the stack ends,
+// one for a walk that writes first and then decides whether to keep it, one for a walk that keeps all four and then takes the last.
 void add_wide(AccelTables& tables, const Tree& tree) {
     const LeafReferences references(tree, tables.loose);
     std::vector<Open> open;
@@ -66,7 +66,7 @@ void add_wide(AccelTables& tables, const Tree& tree) {
         tables.nodes.resize(at + gpu_layout::kWideTexels);
         const Wide wide = wide_of(tree, *here.node);
         const auto stack = here.stack + static_cast<std::uint32_t>(wide.count) - 1;
-        tables.stack = std::max(tables.stack, stack + 2);
+        tables.stack = std::max(tables.stack, stack + 3);
         for (int i = 0; i < 4; ++i) write_child(tables, at, i, FloatBox{}, gpu_layout::kNothing);
         for (std::size_t i = wide.count; i-- > 0;) {
             const TreeNode& child = *wide.children[i];
