@@ -11,6 +11,7 @@ constexpr std::size_t kMaxTomlValues = std::size_t{1} << 23; // values of a TOML
 constexpr std::size_t kMaxStringBytes = 65536;               // one name or text in a scene file
 constexpr std::size_t kMaxObjects = std::size_t{1} << 22;    // objects of one scene (sphereflake of depth 6 has 597 872)
 constexpr std::size_t kMaxTriangles = std::size_t{1} << 26;  // triangles after tessellation; 32-bit indices, 6 GiB of streams
+constexpr std::size_t kMaxElements = std::size_t{1} << 22;   // of radiosity
 constexpr std::size_t kMaxLights = std::size_t{1} << 20;
 constexpr std::size_t kMaxMaterials = std::size_t{1} << 20;
 constexpr std::size_t kMaxPolygonPoints = 65536;

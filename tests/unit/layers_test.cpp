@@ -1,4 +1,4 @@
-// The six floors: main > app > measure > render > plan, accel > scene; gpu and image stand on the ground and know nothing of the rest but
+// The six floors: main > app > measure > render > plan, accel, radiosity > scene; gpu and image stand on the ground and know nothing of the rest but
 // shaders/shared, the layouts below them all. No #include runs up or sideways, and what is decided without a GPU (scene, plan, accel)
 // never sees Vulkan, however far off.
 #include <filesystem>
@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 // Path below src/ ("plan/plan.h"), or "shared/..." for shaders/shared, to its text.
 using Sources = std::map<std::string, std::string>;
 
-const std::map<std::string, int> kFloors = {{"main", 6},  {"app", 5},   {"measure", 4}, {"render", 3}, {"plan", 2},
-                                            {"accel", 2}, {"scene", 1}, {"gpu", 0},     {"image", 0},  {"shared", -1}};
-const std::set<std::string> kWithoutVulkan = {"scene", "plan", "accel", "image", "shared"};
+const std::map<std::string, int> kFloors = {{"main", 6},      {"app", 5},   {"measure", 4}, {"render", 3}, {"plan", 2},   {"accel", 2},
+                                            {"radiosity", 2}, {"scene", 1}, {"gpu", 0},     {"image", 0},  {"shared", -1}};
+const std::set<std::string> kWithoutVulkan = {"scene", "plan", "accel", "radiosity", "image", "shared"};
 
 std::string room_of(const std::string& path) {
     return path == "main.cpp" ? "main" : path.substr(0, path.find('/'));

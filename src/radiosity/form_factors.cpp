@@ -1,0 +1,2 @@
+// What the header of the same name says.
+#include "radiosity/form_factors.h"
