@@ -17,20 +17,31 @@ using vk::BufferUsageFlagBits;
 
 // With d' = s d: Ip / (d + d0) = s Ip / (d' + s d0) and Ip / (4 pi d^2) = s^2 Ip / (4 pi d'^2), so the frame's laws give the world's values.
 double frame_gain(const Light& light, double s) {
-    if (light.type == LightType::directional) return 1;
     if (light.attenuation == Attenuation::linear) return s;
     return light.attenuation == Attenuation::inverse_square ? s * s : 1;
+}
+
+// A light that is farther away than 2^40 frame radii is brought there with all its lengths, by a power of two: its direction and what
+// arrives change by less than 2^-38, and squares stay finite however small the scene is.
+double light_scale(const Light& light, const Frame& frame) {
+    const glm::dvec3 way = glm::abs(light.position - frame.origin);
+    const double distance = std::max({way.x, way.y, way.z});
+    return distance > 0 ? std::min(frame.scale, std::ldexp(1.0, 40 - std::ilogb(distance))) : frame.scale;
 }
 
 gpu_layout::Light to_gpu(const Light& light, const Frame& frame) {
     gpu_layout::Light out{};
     const bool directional = light.type == LightType::directional;
-    out.position = glm::vec3(directional ? -light.direction : frame.from_world(light.position));
+    const double scale = light_scale(light, frame);
+    // Beside a d0 of 2^70 no distance up to 2^41 shows in a float: a larger one only makes both terms of the quotient overflow.
+    const double d0 = std::min(light.d0, 0x1p70 / scale);
+    const double gain = light.attenuation == Attenuation::linear && d0 < light.d0 ? 0x1p70 / light.d0 : frame_gain(light, scale);
+    out.position = glm::vec3(directional ? -light.direction : scale * (light.position - frame.origin));
     out.type = static_cast<std::uint32_t>(light.type);
-    out.intensity = glm::vec3(glm::dvec3(light.intensity) * frame_gain(light, frame.scale));
+    out.intensity = glm::vec3(glm::dvec3(light.intensity) * (directional ? 1.0 : gain));
     out.attenuation = static_cast<std::uint32_t>(directional ? Attenuation::none : light.attenuation);
     out.axis = glm::vec3(light.direction);
-    out.d0 = static_cast<float>(light.d0 * frame.scale);
+    out.d0 = static_cast<float>(d0 * scale);
     out.cos_outer = static_cast<float>(std::cos(light.angle));
     out.cos_inner = static_cast<float>(std::cos(light.angle * (1 - light.softness)));
     return out;
