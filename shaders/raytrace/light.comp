@@ -13,6 +13,7 @@
 FETCH_TABLE(lit, FETCH_RAYS, 30)
 FETCH_TABLE(tree, FETCH_RAYS, 28)
 layout(set = 0, binding = 34, scalar) buffer Tree { uvec4 node_words[]; };
+layout(set = 0, binding = 46, scalar) buffer Carries { vec4 carries[]; }; // of the sum over pieces of the lights (LI-6)
 
 uint point_index = 0u;
 
@@ -43,7 +44,12 @@ void main() {
     else if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) color = sum_lights(s, m, kPartAll);
     if (wants(EFFECT_TRANSPARENCY)) color *= p.opacity;
     uint at = kRayNodeTexels * (push.first + from);
-    vec3 before = vec3(0.0);
-    if (push.more != 0u) before = uintBitsToFloat(fetch_tree(at).xyz);
-    node_words[at] = uvec4(floatBitsToUint(before + color), p.children);
+    Sum3 sum = sum_start();
+    if (push.more != 0u) sum.total = uintBitsToFloat(fetch_tree(at).xyz);
+    if (wants_ray(RAY_SHADOWS) && wants(EFFECT_COMPENSATED_SUM)) {
+        if (push.more != 0u) sum.carry = carries[i].xyz;
+        sum_add(sum, color);
+        carries[i] = vec4(sum.carry, 0.0);
+    } else sum.total += color;
+    node_words[at] = uvec4(floatBitsToUint(sum.total), p.children);
 }

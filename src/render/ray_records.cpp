@@ -148,6 +148,7 @@ void TileTracer::record_shadows(const Generation&, RayPush push, std::uint32_t l
 
 void TileTracer::record_light(const Generation&, const RayPush& push) {
     gpu::Bindings bindings{{"Tree", b_.tree}, {"Counters", b_.counters}};
+    if (b_.carries) bindings.emplace_back("Carries", b_.carries);
     offer_table(bindings, "rays", b_.rays[now_]);
     offer_table(bindings, "hit_rays", b_.hit_rays);
     offer_table(bindings, "points", b_.points);

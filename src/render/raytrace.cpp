@@ -53,6 +53,7 @@ RayBuffers make_buffers(gpu::Device& device, const Plan& plan, std::uint32_t lig
     b.hit_rays = table("hit-rays", (n + 3) / 4 * 16);
     b.points = table("points", n * sizeof(RayPoint));
     if (plan.ray_effects & RAY_SHADOWS) b.visibility = table("visibility", n * b.lights * sizeof(glm::vec4));
+    if ((plan.ray_effects & RAY_SHADOWS) && (plan.effects & EFFECT_COMPENSATED_SUM)) b.carries = table("carries", n * sizeof(glm::vec4));
     b.tree = table("ray-tree", std::uint64_t{b.nodes} * sizeof(RayNode));
     b.counters = gpu::make_buffer(device, "counters", sizeof(RayCounters), vk::BufferUsageFlagBits::eStorageBuffer, gpu::Memory::readback);
     return b;

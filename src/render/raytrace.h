@@ -18,7 +18,7 @@ namespace lightbench {
 // Buffers for the rays of a batch; `rays` and `media` are those of this generation and of the next.
 struct RayBuffers {
     std::array<gpu::Buffer, 2> rays, media;
-    gpu::Buffer hits, hit_rays, points, visibility, tree, counters, walks;
+    gpu::Buffer hits, hit_rays, points, visibility, carries, tree, counters, walks;
     std::uint32_t capacity = 0; // rays of a generation
     std::uint32_t nodes = 0;    // of the ray tree
     std::uint32_t lights = 1;   // that are summed in one piece, for a full generation

@@ -123,6 +123,56 @@ TEST(RayLight, FarLightsAndSmallThingsKeepTheirShadows) {
     expect_agreement(scene, ray_request({96, 72}), 1e-3, 0.1, "bead");
 }
 
+// LI-6: the lights come in pieces whose shadows fit; the sum over the pieces must not stall either. Equal lights: their exact sum is known.
+TEST(RayLight, ThousandsOfShadowedLightsAddUp) {
+    Scene scene = ball_scene();
+    scene.environment.ambient = glm::vec3(0), scene.materials[0].specular = glm::vec3(0);
+    scene.materials[0].diffuse = {0.7f, 0.3f, 0.9f}, scene.materials[0].opacity = glm::vec3(1);
+    Light sun;
+    sun.type = LightType::directional, sun.direction = {0, -1, 0}, sun.intensity = {0.1f, 0.7f, 0.013f};
+    scene.lights = {sun};
+    const ImageF one = *render_scene(scene, ray_request({8, 6})).output.radiance;
+    const std::size_t count = 4001;
+    scene.lights.assign(count, sun);
+    const ImageF many = *render_scene(scene, ray_request({8, 6})).output.radiance;
+    const dvec3 background(scene.environment.background);
+    double worst = 0;
+    for (unsigned y = 0; y < 6; ++y)
+        for (unsigned x = 0; x < 8; ++x) {
+            const dvec3 term = pixel(one, x, y), sum = pixel(many, x, y);
+            for (int c = 0; c < 3 && term != background; ++c)
+                if (term[c] > 0) worst = std::max(worst, std::abs(sum[c] / (double(count) * term[c]) - 1));
+        }
+    EXPECT_LE(worst, 8 * 0x1p-24);
+    EXPECT_GT(worst, 0);
+}
+
+// A light that is 5e30 of the scene's units away, squares of which no float holds, is as a directional one.
+TEST(RayLight, LightsFarFromATinySceneStayFinite) {
+    Scene scene = ball_scene();
+    const double tiny = 1e-30, distance = std::sqrt(50.0);
+    scene.transforms.push_back(glm::dmat4(glm::dmat3(tiny)));
+    for (Object& o : scene.objects) o.transform = 1;
+    scene.cameras[0].position *= tiny, scene.cameras[0].target *= tiny;
+    const dvec3 at(3, 4, 5);
+    const std::pair<Attenuation, double> laws[] = {
+        {Attenuation::none, 1}, {Attenuation::linear, 1 / (distance + 1)}, {Attenuation::inverse_square, 1 / (4 * std::numbers::pi * 50)}};
+    for (const auto& [law, arrives] : laws) {
+        Light sun;
+        sun.type = LightType::directional, sun.direction = -glm::normalize(at), sun.intensity = glm::vec3(float(arrives));
+        for (Request request : {ray_request(), radiance_request(Shading::phong, {48, 36})}) {
+            scene.lights = {sun};
+            const ImageF want = *render_scene(scene, request).output.radiance;
+            scene.lights = {point_light(at, glm::vec3(1), law)};
+            const Rendered r = render_scene(scene, request);
+            EXPECT_EQ(r.output.non_finite, 0u);
+            for (unsigned y = 0; y < 36; ++y)
+                for (unsigned x = 0; x < 48; ++x)
+                    ASSERT_LE(glm::length(pixel(*r.output.radiance, x, y) - pixel(want, x, y)), 1e-5 * arrives) << x << ' ' << y;
+        }
+    }
+}
+
 // SH-4: a sheet just above another shadows it, down to 32 ulp of the coordinates.
 TEST(RayLight, SheetsCloseTogetherStayApart) {
     for (const double gap : {1e-2, 1e-4, 32 * 4 * 0x1p-23}) {
