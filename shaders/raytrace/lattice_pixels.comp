@@ -1,5 +1,5 @@
 // Adaptive sampling (S26): pixels from their quadtrees; a leaf is the mean of its four corners and counts by its area.
-// In: radiance at the points of the lattice, states. Out: an image of linear radiance.
+// In: radiance at the points of the lattice, states; the deepest level whose points are all traced. Out: an image of linear radiance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -28,7 +28,7 @@ void main() {
     for (uint code = 0u; code < end;) {
         uint side = cell_side(level);
         uvec2 corner = first + uvec2(every_second_bit(code), every_second_bit(code >> 1u));
-        if (level < push.levels && states[point_index(corner + (side >> 1u))] != 0u) {
+        if (level < push.level && states[point_index(corner + (side >> 1u))] != 0u) {
             ++level;
             continue;
         }

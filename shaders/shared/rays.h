@@ -228,7 +228,7 @@ const uint kMaxLatticeLevels = 6u;
 struct LatticePush {
     uvec2 corner, size;                // of the band, pixels
     uint levels;                       // points lie 2^-levels pixels apart
-    uint level;                        // of this pass
+    uint level;                        // of this pass; of the pixels: the deepest that counts
     uint count;                        // invocations
     uint seed;
     vec3 contrast;

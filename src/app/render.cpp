@@ -113,14 +113,13 @@ void render_frame(Run& run, Scene& scene, std::optional<int> frame, bool first) 
     Renderer renderer(device, scene, prepared.geometry, prepared.plan);
     const std::string path = frame ? frame_path(run.output, *frame) : run.output;
     const RenderOutput output = render_and_write(run, renderer, prepared, path);
-    if (run.interrupted) return;
     const RunRecord record{run.options.scene.string(), request.frame,
                            run.options.count,          run.load_ms,
                            run.wall.milliseconds(),    device.pipeline_milliseconds() - pipelines_before,
                            device.memory_peak()};
     write_stats(frame ? frame_path(run.options.stats, *frame) : run.options.stats,
                 stats_json(record, prepared.plan, device.info(), output));
-    report(run, path, output, prepared.plan);
+    if (!run.interrupted) report(run, path, output, prepared.plan);
 }
 
 // Completing a scene adds a camera and a headlight to it, which belong to one frame: each starts from the scene as it was read.

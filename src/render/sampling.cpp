@@ -24,13 +24,15 @@ class BandTracer {
   public:
     BandTracer(RayTracer& tracer, const RayWork& work, const RayFrame& frame, Lattice& lattice)
         : tracer_(tracer), work_(work), frame_(frame), lattice_(lattice) {}
-    // `continues`: the band before ended with this one's first row of points. False: stopped early.
+    // `continues`: the band before ended with this one's first row of points. False: stopped early; of what was traced the whole levels
+    // become pixels.
     bool trace(const Band& band, bool continues, gpu::Image& image);
 
   private:
     LatticePush push_for(const Band& band, std::uint32_t level, glm::uvec2 invocations) const;
     void begin(const Band& band, bool continues);
-    void end(const Band& band, gpu::Image& image);
+    void write(const Band& band, std::uint32_t level, gpu::Image& image);
+    void keep_last_row(const Band& band);
     std::uint32_t list(const Band& band, std::uint32_t level);
     void record(const char* name, const gpu::ComputePipeline& pipeline, const gpu::Bindings& bindings, const LatticePush& push);
     vk::DeviceSize row(const Band& band) const { return (vk::DeviceSize{band.size.x} << lattice_.levels) + 1; }
@@ -59,9 +61,13 @@ void BandTracer::begin(const Band& band, bool continues) {
     work_.recorder.copy(lattice_.row_radiance, lattice_.radiance, row(band) * sizeof(glm::vec4));
 }
 
-void BandTracer::end(const Band& band, gpu::Image& image) {
+// Pixels of the cells down to this level.
+void BandTracer::write(const Band& band, std::uint32_t level, gpu::Image& image) {
     record("lattice-pixels", lattice_.pixels, {{"Lattice", lattice_.radiance}, {"States", lattice_.states}, {"frame", image}},
-           push_for(band, 0, band.size));
+           push_for(band, level, band.size));
+}
+
+void BandTracer::keep_last_row(const Band& band) {
     const vk::DeviceSize last = (vk::DeviceSize{band.size.y} << lattice_.levels) * row(band);
     work_.recorder.copy(lattice_.states, lattice_.row_states, row(band) * sizeof(std::uint32_t), last * sizeof(std::uint32_t));
     work_.recorder.copy(lattice_.radiance, lattice_.row_radiance, row(band) * sizeof(glm::vec4), last * sizeof(glm::vec4));
@@ -84,10 +90,14 @@ bool BandTracer::trace(const Band& band, bool continues, gpu::Image& image) {
     begin(band, continues);
     for (std::uint32_t level = 0; level <= lattice_.levels; ++level) {
         const std::uint32_t count = list(band, level);
-        if (!trace_points(tracer_, work_, frame_, count, image)) return false;
+        if (!trace_points(tracer_, work_, frame_, count, image)) {
+            if (level > 0) write(band, level - 1, image);
+            return false;
+        }
         if (count == 0 && level > 0) break; // nothing was split
     }
-    end(band, image);
+    write(band, lattice_.levels, image);
+    keep_last_row(band);
     return true;
 }
 

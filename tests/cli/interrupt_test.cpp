@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdio>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -14,6 +15,7 @@
 namespace lightbench::cli {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -21,12 +23,13 @@ class Interrupted : public Cli {
   protected:
     // Renders the ball with far more samples than there is patience for; after so many seconds the signal comes. Returns what waitpid tells.
     int render_until(int signal, double seconds) const {
-        const std::string ball = scene(kBall), picture = in_folder("x.png"), messages = in_folder("messages");
+        const std::string ball = scene(kBall), picture = in_folder("x.png"), messages = in_folder("messages"),
+                          stats = in_folder("stats.json");
         const pid_t child = ::fork();
         if (child == 0) {
             if (!std::freopen(messages.c_str(), "w", stderr)) ::_exit(99);
             ::execl(LIGHTBENCH_PROGRAM, LIGHTBENCH_PROGRAM, "render", ball.c_str(), "-o", picture.c_str(), "--method", "raytrace", "--size",
-                    "640x480", "--spp", "1024", "--sampling", "jittered", "--progress", "always", nullptr);
+                    "640x480", "--spp", "1024", "--sampling", "jittered", "--progress", "always", "--stats", stats.c_str(), nullptr);
             ::_exit(99);
         }
         std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
@@ -45,7 +48,21 @@ TEST_F(Interrupted, CtrlCKeepsWhatThereIs) {
     EXPECT_THAT(messages, HasSubstr("interrupted: "));
     EXPECT_THAT(messages, HasSubstr("% of the picture"));
     EXPECT_EQ(std::get<Image8>(read_image(in_folder("x.png"))).width, 640u);
-    EXPECT_THAT(files(), ElementsAre("messages", "scene.toml", "x.png"));
+    EXPECT_THAT(files(), ElementsAre("messages", "scene.toml", "stats.json", "x.png"));
+    const auto stats = nlohmann::json::parse(read_text(in_folder("stats.json")));
+    EXPECT_GT(stats["image"]["done"], 0);
+    EXPECT_LT(stats["image"]["done"], 1);
+}
+
+// Whenever it comes, even before anything is drawn: nothing, or a whole picture.
+TEST_F(Interrupted, CtrlCAtAnyTimeLeavesNoTruncatedPicture) {
+    for (const double seconds : {0.05, 0.6, 1.4, 2.3}) {
+        const int status = render_until(SIGINT, seconds);
+        EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 130) << seconds;
+        for (const std::string& name : files()) EXPECT_THAT(name, AnyOf("messages", "scene.toml", "stats.json", "x.png"));
+        if (!std::filesystem::exists(in_folder("x.png"))) continue;
+        EXPECT_EQ(std::get<Image8>(read_image(in_folder("x.png"))).height, 480u);
+    }
 }
 
 TEST_F(Interrupted, KillLeavesNoTruncatedPicture) {

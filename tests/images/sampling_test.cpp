@@ -1,5 +1,5 @@
-// Samples of the ray tracer and what becomes of them: filters wider than a pixel, adaptive sampling, crops, bands (S25, S26, AA-1 to AA-6).
-#include "images/rendering.h"
+// Samples of the ray tracer and what becomes of them: filters wider than a pixel, adaptive sampling, crops, bands (S25, S26, AA-1, AA-4, AA-6).
+#include "images/sampling_requests.h"
 
 #include "gpu/recorder.h"
 #include "image/metrics.h"
@@ -10,25 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace lightbench::testing {
 namespace {
-
-constexpr glm::uvec2 kSize{48, 40};
-
-Request traced(Sampling sampling, Filter filter = Filter::box, unsigned spp = 1) {
-    Request request = radiance_request(Shading::phong, kSize);
-    request.method = Method::raytrace, request.sampling = sampling, request.filter = filter, request.spp = spp;
-    request.count = true;
-    return request;
-}
-
-Request adaptive(unsigned max_level) {
-    Request request = traced(Sampling::adaptive);
-    request.max_level = max_level;
-    return request;
-}
 
 // Few: a driver takes seconds to compile each.
 const Request kSamplers[] = {traced(Sampling::jittered, Filter::box, 9), traced(Sampling::none, Filter::gaussian),
@@ -54,23 +38,6 @@ Scene ball_scene() {
 void hide_objects(Scene& scene) {
     scene.objects.resize(1);
     scene.objects[0].shape = Sphere{{9, 12, 18}, 1};
-}
-
-// What glows below the line through the picture's middle at this angle, before black.
-Scene half_plane(double degrees) {
-    Scene scene = plane_scene({0, 0, 1});
-    scene.environment.background = glm::vec3(0);
-    scene.cameras[0].up = {0, 1, 0};
-    scene.materials.push_back(scene.materials[0]);
-    Object behind; // the camera; lit
-    behind.shape = Sphere{{0, 0, 9}, 1}, behind.material = 1;
-    scene.objects.push_back(behind);
-    scene.lights = {point_light({0, 0, 5}, glm::vec3(1))};
-    scene.materials[0].diffuse = glm::vec3(0), scene.materials[0].emission = glm::vec3(1);
-    const double a = degrees * std::numbers::pi / 180;
-    const glm::dvec3 along(std::cos(a), std::sin(a), 0), below(std::sin(a), -std::cos(a), 0);
-    scene.objects[0].shape = Polygon{{-9.0 * along, -9.0 * along + 9.0 * below, 9.0 * along + 9.0 * below, 9.0 * along}, {}};
-    return scene;
 }
 
 TEST(Sampling, LevelZeroTracesTheCornersOfPixelsOnce) {
@@ -169,31 +136,6 @@ TEST(Sampling, BandsAndStripsLeaveNoSeams) {
     }
 }
 
-// AA-2: an edge splits its cells to the last level and no others.
-TEST(Sampling, AKnifeEdgeIsFoundToTheLastLevel) {
-    for (const unsigned level : {1u, 3u, 6u}) {
-        const Rendered r = render_scene(half_plane(0.0), adaptive(level));
-        const double side = std::exp2(level);
-        EXPECT_LE(double(r.output.rays.value().eye), double(kSize.x * side + 1) * (side + 1) * 2 + (kSize.x + 1) * (kSize.y + 1));
-        double covered = 0;
-        for (unsigned y = 0; y < kSize.y; ++y) covered += pixel(*r.output.radiance, 7, y).x;
-        EXPECT_NEAR(covered, kSize.y / 2.0, 1 / side) << level;
-    }
-}
-
-// AA-5: rms of the covered share of pixels on the edge against the finest uniform grid, and no bias.
-TEST(Sampling, RotatedHalfPlanesAreCoveredWithoutBias) {
-    double bias = 0;
-    int angles = 0;
-    for (double degrees = 0; degrees <= 90; degrees += 15, ++angles) {
-        const ImageF image = *render_scene(half_plane(degrees), adaptive(4)).output.radiance;
-        double sum = 0;
-        for (std::size_t i = 0; i < image.rgba.size(); i += 4) sum += image.rgba[i];
-        bias += std::abs(sum / double(kSize.x * kSize.y) - 0.5); // a line through the middle halves the picture
-    }
-    EXPECT_LE(bias / angles, 1e-3);
-}
-
 // Fewer rays than 62 of 117 at an error below 1/255, against uniform sampling as fine as the last level.
 TEST(Sampling, AdaptiveSamplingSavesRays) {
     const Rendered r = render_scene(ball_scene(), adaptive(2));
@@ -207,23 +149,47 @@ TEST(Sampling, AdaptiveSamplingSavesRays) {
     RecordProperty("rms", std::to_string(std::sqrt(squares / double(a.size()) * 4 / 3)));
 }
 
-TEST(Sampling, StoppingLeavesWhatThereIs) {
-    Scene scene = ball_scene();
-    const Request request = traced(Sampling::jittered, Filter::box, 16);
+RenderOutput render_with(Scene scene, const Request& request, const RenderOptions& options) {
     CompleteResult completed = complete(scene, request);
     const View view = completed.completed.value().view;
     const Plan plan = decide(gather_facts(scene), request, completed.completed->notes);
     const RasterGeometry geometry = tessellate(scene, tessellation_for(plan, view));
-    Renderer renderer(test_device(), scene, geometry, plan);
+    return Renderer(test_device(), scene, geometry, plan).render(view, options);
+}
+
+TEST(Sampling, StoppingLeavesWhatThereIs) {
     RenderOptions options;
     unsigned passes = 0;
     std::vector<float> last;
     options.pass = [&](const RenderOutput& so_far) { ++passes, last = so_far.radiance.value().rgba; };
     options.stop = [&] { return passes == 3; };
-    const RenderOutput output = renderer.render(view, options);
+    const RenderOutput output = render_with(ball_scene(), traced(Sampling::jittered, Filter::box, 16), options);
     EXPECT_EQ(passes, 3u);
     EXPECT_DOUBLE_EQ(output.done, 3.0 / 16);
     EXPECT_EQ(output.radiance->rgba, last); // the frame that was begun does not darken the mean
+}
+
+// The levels that were whole when the stop came are the picture that --max-level of them gives: asked between generations, it comes in
+// every level at some number of questions.
+TEST(Sampling, AStoppedBandKeepsItsWholeLevels) {
+    std::vector<std::vector<float>> levels;
+    for (const unsigned level : {0u, 1u, 2u}) levels.push_back(render_scene(ball_scene(), adaptive(level)).output.radiance->rgba);
+    std::vector<bool> met(3);
+    bool stopped = true;
+    for (unsigned patience = 0; stopped; ++patience) {
+        ASSERT_LT(patience, 100u);
+        RenderOptions options;
+        unsigned asked = 0;
+        options.stop = [&] { return asked++ >= patience; };
+        const RenderOutput output = render_with(ball_scene(), adaptive(2), options);
+        stopped = output.done < 1;
+        const auto& got = output.radiance->rgba;
+        const auto same = std::ranges::find(levels, got);
+        if (same != levels.end()) met[static_cast<std::size_t>(same - levels.begin())] = true;
+        const bool black = std::ranges::all_of(got, [](float x) { return x == 0; });
+        EXPECT_TRUE(black || same != levels.end()) << patience;
+    }
+    EXPECT_EQ(met, std::vector<bool>({true, true, true}));
 }
 
 } // namespace
