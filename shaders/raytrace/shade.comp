@@ -57,7 +57,8 @@ RayPoint point_of(Material m, HitSurface h, Ray r, float width) {
     p.origin = offset_origin(h.position, h.error, p.face, p.face);
     p.diffuse = m.diffuse * texture.rgb;
     p.opacity = vec3(1.0);
-    if (wants(EFFECT_TRANSPARENCY)) p.opacity = m.opacity * texture.a;
+    bool hidden = (m.splits & kOneSided) != 0u && dot(h.face, to_viewer) < 0.0;
+    if (wants(EFFECT_TRANSPARENCY)) p.opacity = hidden ? vec3(0.0) : m.opacity * texture.a;
     p.children = 0u;
     p.pad0 = p.pad1 = p.pad2 = p.pad3 = 0.0;
     return p;

@@ -108,6 +108,7 @@ struct Material {
 };
 const uint kSplitFresnel = 1u;     // kr + kt is split by Fresnel
 const uint kSplitDispersion = 2u;  // the indices of the channels differ
+const uint kOneSided = 4u;         // another bit of `splits`: its backs are not seen, rays pass them
 
 struct Light {
     vec3 position;     // frame; directional: unit vector towards the light

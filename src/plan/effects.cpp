@@ -229,6 +229,8 @@ Verdict six_faces(const Facts& f, const Request& r) {
 
 // Where nothing is refracted, what would be goes straight through.
 Verdict transparency(const Facts& f, const Request& r) {
+    if (traces(r) && f.clear_materials == 0 && f.one_sided_materials > 0)
+        return yes("{} with two_sided = false: rays pass the backs", counted(f.one_sided_materials, "material"));
     return of_materials(traces(r) ? f.clear_materials : f.translucent_materials, "every opacity is 1");
 }
 bool reflects(const Facts& f) {
@@ -267,7 +269,7 @@ Verdict clear_shadows(const Facts& f, const Request& r) {
 Verdict cutoff(const Facts& f, const Request& r) {
     if (!traces(r)) return no("no rays are traced");
     if (r.cutoff <= 0) return no("--cutoff is 0");
-    if (!reflects(f) && f.transmissive_materials + f.clear_materials == 0) return no("no ray is sent on");
+    if (!reflects(f) && f.transmissive_materials + f.clear_materials + f.one_sided_materials == 0) return no("no ray is sent on");
     return yes("rays of a weight below {:g} are not sent", r.cutoff);
 }
 

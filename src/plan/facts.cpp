@@ -58,6 +58,7 @@ void count_material(const Material& material, Facts& facts) {
     facts.environment_materials += material.environment > 0;
     facts.translucent_materials += is_translucent(material);
     facts.clear_materials += glm::any(glm::lessThan(material.opacity, glm::vec3(1))) || (material.texture && material.texture->alpha);
+    facts.one_sided_materials += hides_backs(material);
     facts.tinted_materials += any(material.transmission) && (material.ior.x != material.ior.y || material.ior.x != material.ior.z);
     facts.transmissive_materials += any(material.transmission);
     facts.reflective_materials += any(material.reflection.value_or(material.specular));

@@ -34,11 +34,12 @@ struct Facts {
     std::size_t smooth_lobes = 0;          // Cook-Torrance below the least roughness
     std::size_t translucent_materials = 0; // opacity < 1 in a channel (S13), transmission counted in
     std::size_t transmissive_materials = 0, reflective_materials = 0, scattering_materials = 0, dispersive_materials = 0;
-    std::size_t tinted_materials = 0;  // transmissive, with indices of refraction that differ by channel
-    std::size_t clear_materials = 0;   // opacity < 1, or the alpha of a picture: S13 alone
-    std::size_t mirror_materials = 0;  // that name a reflection > 0 and no environment in its place; the others reflect ks
-    std::size_t fresnel_materials = 0; // Fresnel split of reflection and transmission
-    std::size_t two_sided_objects = 0; // some face is seen from behind
+    std::size_t tinted_materials = 0;    // transmissive, with indices of refraction that differ by channel
+    std::size_t one_sided_materials = 0; // said to be so: their backs are not seen
+    std::size_t clear_materials = 0;     // opacity < 1, or the alpha of a picture: S13 alone
+    std::size_t mirror_materials = 0;    // that name a reflection > 0 and no environment in its place; the others reflect ks
+    std::size_t fresnel_materials = 0;   // Fresnel split of reflection and transmission
+    std::size_t two_sided_objects = 0;   // some face is seen from behind
     std::size_t pictures = 0;
     bool ambient = false, background = false, environment_map = false, six_faces = false, camera = false, film = false;
     bool own_normals = false;              // some mesh or polygon came with normals

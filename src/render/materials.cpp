@@ -104,7 +104,8 @@ void Converter::set_rays(const Material& m, gpu_layout::Material& out) const {
     out.scatter = m.scatter, out.transmission = m.transmission;
     out.refraction = refraction_of(m);
     const bool disperses = out.refraction.x != out.refraction.y || out.refraction.x != out.refraction.z;
-    out.splits = (m.fresnel ? gpu_layout::kSplitFresnel : 0) | (disperses ? gpu_layout::kSplitDispersion : 0);
+    out.splits = (m.fresnel ? gpu_layout::kSplitFresnel : 0) | (disperses ? gpu_layout::kSplitDispersion : 0) |
+                 (hides_backs(m) ? gpu_layout::kOneSided : 0);
 }
 
 void Converter::set_pictures(const Material& m, gpu_layout::Material& out) {

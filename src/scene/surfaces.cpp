@@ -96,6 +96,10 @@ glm::vec3 straight_opacity(const Material& material) {
     return material.opacity * (1.0f - material.transmission);
 }
 
+bool hides_backs(const Material& material) {
+    return !material.two_sided.value_or(true) && material.transmission == glm::vec3(0);
+}
+
 bool is_translucent(const Material& material) {
     return glm::any(glm::lessThan(straight_opacity(material), glm::vec3(1))) || (material.texture && material.texture->alpha);
 }

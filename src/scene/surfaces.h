@@ -17,6 +17,9 @@ glm::vec3 straight_opacity(const Material& material);
 // S13: something behind it is seen through it in some channel.
 bool is_translucent(const Material& material);
 
+// Said to be one-sided, and not refracting: rays pass its backs, as the rasteriser culls them. What refracts is left through its backs.
+bool hides_backs(const Material& material);
+
 // Is the object a mesh whose vertices have texture coordinates?
 bool has_uv(const Scene& scene, const Object& object);
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 
 namespace lightbench::testing {
@@ -132,6 +133,37 @@ TEST(RayAgree, DrawnAndTracedTexturesAndBumpsAreAlike) {
         for (Material& m : scene.materials) m.bump = Bump{{}, false, function, 0.02, 2};
         expect_alike(scene, function == BumpFunction::waves ? "waves" : "noise", 2e-2, 0.1);
     }
+}
+
+Object glowing(Scene& scene, const Shape& shape, const glm::vec3& color, std::optional<bool> two_sided) {
+    Material m;
+    m.diffuse = glm::vec3(0), m.emission = color, m.two_sided = two_sided;
+    scene.materials.push_back(m);
+    Object object;
+    object.shape = shape, object.material = static_cast<std::uint32_t>(scene.materials.size() - 1);
+    return object;
+}
+
+// What is said to be one-sided is not seen from behind, whichever way it is drawn: a front, two backs, and a ball around the eye.
+TEST(RayAgree, BacksOfOneSidedSurfacesAreNotSeen) {
+    const auto square = [](double x, double z, double size, double turn) {
+        return Polygon{{{x - turn * size, -size, z}, {x + turn * size, -size, z}, {x + turn * size, size, z}, {x - turn * size, size, z}},
+                       {}};
+    };
+    Scene scene = plane_scene({0, 0, 6});
+    scene.cameras[0].up = {0, 1, 0};
+    scene.objects = {glowing(scene, square(0, -2, 9, 1), {1, 0, 0}, std::nullopt),
+                     glowing(scene, square(-1.5, 0, 0.6, 1), {0, 1, 0}, false), glowing(scene, square(0, 0, 0.6, -1), {0, 0, 1}, false),
+                     glowing(scene, square(1.5, 0, 0.6, -1), {1, 1, 0}, true), glowing(scene, Sphere{{0, 0, 6}, 1}, {1, 1, 1}, false)};
+    const Rendered traced = render_scene(scene, ray_request({48, 36})),
+                   drawn = render_scene(scene, radiance_request(Shading::phong, {48, 36}));
+    unsigned differ = 0;
+    for (unsigned y = 0; y < 36; ++y)
+        for (unsigned x = 0; x < 48; ++x) differ += pixel(*traced.output.radiance, x, y) != pixel(*drawn.output.radiance, x, y);
+    EXPECT_EQ(differ, 0u);
+    EXPECT_EQ(pixel(*traced.output.radiance, 24, 18), dvec3(1, 0, 0)) << "through the back";
+    EXPECT_EQ(pixel(*traced.output.radiance, 12, 18), dvec3(0, 1, 0)) << "the front";
+    EXPECT_EQ(pixel(*traced.output.radiance, 35, 18), dvec3(1, 1, 0)) << "the back of one that has two sides";
 }
 
 // A mesh with normals of its own, and flat faces: an n-gon and a box.

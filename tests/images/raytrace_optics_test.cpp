@@ -95,6 +95,20 @@ TEST(RayOptics, DISABLED_TouchingPlates) {
         2e-5);
 }
 
+// What stands on a floor shows it. Not so yet, for the same reason: a ray that leaves the glass starts behind the floor, where rounding puts
+// the floor behind the bottom of the glass.
+TEST(RayOptics, DISABLED_AGlassBlockStandsOnAFloor) {
+    const dvec3 eye(-3, 8, 0.5);
+    Scene scene = screen_scene(kFloor, eye, {1, 0, 0}, 25 * kDegree);
+    add(scene, slab(0, 1), glass(1.5f));
+    expect_landing(
+        scene, kFloor,
+        [&](const dvec3& d) {
+            return through_layers(eye, d, {{1, 7}, {1.5, 1}});
+        },
+        2e-5);
+}
+
 // RF-6: the eye is in the glass.
 TEST(RayOptics, TheCameraMayStandInGlass) {
     const dvec3 eye(-2, 4, 0.5);
@@ -108,7 +122,7 @@ TEST(RayOptics, TheCameraMayStandInGlass) {
         1e-5);
 }
 
-// RF-6: the eye is in both of two, which no ray can tell it. Not so yet: the media that the eye is in must be handed to the eye rays.
+// RF-6: the eye is in both of two, which no ray can tell it: the media that the eye is in are handed to the eye rays.
 TEST(RayOptics, TheCameraMayStandInTwoGlasses) {
     const dvec3 eye(-2, 4, 0.5);
     Scene scene = screen_scene(kFloor, eye, {0, 0, 0}, 25 * kDegree);
