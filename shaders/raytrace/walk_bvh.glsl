@@ -99,26 +99,26 @@ uint packet_or(uint bits) {
     return bits | subgroupShuffleXor(bits, 4u);
 }
 
-// Planes as the wide node holds them.
+// Planes of the four boxes, those first that the ray meets first.
 struct WideNode {
-    vec4 low_x, high_x, low_y, high_y, low_z, high_z;
+    vec4 near_x, far_x, near_y, far_y, near_z, far_z;
     uvec4 children;
 };
 
-WideNode read_wide(uint index) {
+// `first`: of the two planes along each axis, the texel of the one that this ray meets first. Chosen as they are dealt out, they need no min
+// and max later.
+WideNode read_wide(uint index, uvec3 first) {
     uvec4 q = fetch_nodes(kWideTexels * index + gl_SubgroupInvocationID);
-    return WideNode(uintBitsToFloat(subgroupShuffle(q, 0u)), uintBitsToFloat(subgroupShuffle(q, 1u)), uintBitsToFloat(subgroupShuffle(q, 2u)),
-                    uintBitsToFloat(subgroupShuffle(q, 3u)), uintBitsToFloat(subgroupShuffle(q, 4u)), uintBitsToFloat(subgroupShuffle(q, 5u)),
-                    subgroupShuffle(q, 6u));
+    return WideNode(uintBitsToFloat(subgroupShuffle(q, first.x)), uintBitsToFloat(subgroupShuffle(q, first.x ^ 1u)),
+                    uintBitsToFloat(subgroupShuffle(q, first.y)), uintBitsToFloat(subgroupShuffle(q, first.y ^ 1u)),
+                    uintBitsToFloat(subgroupShuffle(q, first.z)), uintBitsToFloat(subgroupShuffle(q, first.z ^ 1u)), subgroupShuffle(q, 6u));
 }
 
 // Which of the four boxes the ray enters.
-uint enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
-    vec4 ax = (n.low_x - low.x) * inv_d.x, bx = (n.high_x - high.x) * inv_d.x;
-    vec4 ay = (n.low_y - low.y) * inv_d.y, by = (n.high_y - high.y) * inv_d.y;
-    vec4 az = (n.low_z - low.z) * inv_d.z, bz = (n.high_z - high.z) * inv_d.z;
-    vec4 t_in = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), vec4(0.0)));
-    vec4 t_out = min(min(max(ax, bx), max(ay, by)), min(max(az, bz), vec4(limit))) * 1.00000095; // 2^-20: see enter_narrow
+uint enter_wide(WideNode n, vec3 near, vec3 far, vec3 inv_d, float limit) {
+    vec4 t_in = max(max((n.near_x - near.x) * inv_d.x, (n.near_y - near.y) * inv_d.y), max((n.near_z - near.z) * inv_d.z, vec4(0.0)));
+    vec4 t_out = min(min((n.far_x - far.x) * inv_d.x, (n.far_y - far.y) * inv_d.y), min((n.far_z - far.z) * inv_d.z, vec4(limit)));
+    t_out *= 1.00000095; // 2^-20: see enter_narrow
     bvec4 enters = lessThanEqual(t_in, t_out);
     return uint(enters.x) | uint(enters.y) << 1u | uint(enters.z) << 2u | uint(enters.w) << 3u;
 }
@@ -131,51 +131,69 @@ uint enter_wide(WideNode n, vec3 low, vec3 high, vec3 inv_d, float limit) {
         t[I] = t_low, t[J] = t_high, child[I] = low, child[J] = high; \
     }
 
+// The stack of a packet lies across its lanes, entry i in lane i & 7 of row i >> 3: an array that each lane keeps for itself is written lane by
+// lane on CPU drivers, and took a fifth of the walk.
+const uint kRows = (kStack + 7u) / 8u;
+uint rows[kRows];
+
+void push_row(uint at, uint value) {
+    for (uint r = 0u; r < kRows; ++r) rows[r] = at == 8u * r + gl_SubgroupInvocationID ? value : rows[r];
+}
+
+uint read_row(uint at) {
+    uint row = rows[0];
+    for (uint r = 1u; r < kRows; ++r) row = at >= 8u * r ? rows[r] : row;
+    return subgroupShuffle(row, at & 7u);
+}
+
 // All eight go wherever one of them must: what they find is what each would find alone. The nearer child first, by where its middle lies
 // along the first ray, which all of them can tell; the farther ones wait.
 bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
-    vec3 low = ray.o + ray.slack, high = ray.o - ray.slack, along = subgroupShuffle(ray.d, 0u);
+    bvec3 back = lessThan(ray.inv_d, vec3(0.0));
+    uvec3 first = uvec3(0u, 2u, 4u) + uvec3(back);
+    vec3 slack = mix(vec3(ray.slack), vec3(-ray.slack), back), near = ray.o + slack, far = ray.o - slack, along = subgroupShuffle(ray.d, 0u);
     uint at = w.node, top = w.top, steps = 0u;
-    stack[0] = kNothing;
+    for (uint r = 0u; r < kRows; ++r) rows[r] = kNothing;
     if (push.resume == 0u) test_loose(hit);
     while (at != kNothing && steps < kPacketBudget) {
         while (!is_leaf(at)) {
-            WideNode n = read_wide(at);
+            WideNode n = read_wide(at, first);
             float limit = any && hit.ref != kNothing ? -1.0 : hit.t;
-            uint entered = packet_or(enter_wide(n, low, high, ray.inv_d, limit));
+            uint entered = packet_or(enter_wide(n, near, far, ray.inv_d, limit));
             uvec4 child = n.children;
             ++steps;
             if (any) { // the order does not matter, and sorting is a third of a node's work
-                stack[top] = child.w;
+                push_row(top, child.w);
                 top += uint((entered & 8u) != 0u && child.w != kNothing);
-                stack[top] = child.z;
+                push_row(top, child.z);
                 top += uint((entered & 4u) != 0u && child.z != kNothing);
-                stack[top] = child.y;
+                push_row(top, child.y);
                 top += uint((entered & 2u) != 0u && child.y != kNothing);
-                stack[top] = child.x;
+                push_row(top, child.x);
                 top += uint((entered & 1u) != 0u && child.x != kNothing);
                 --top;
-                at = stack[top];
+                at = read_row(top);
                 continue;
             }
-            vec4 t = (n.low_x + n.high_x) * along.x + (n.low_y + n.high_y) * along.y + (n.low_z + n.high_z) * along.z;
+            vec4 t = (n.near_x + n.far_x) * along.x + (n.near_y + n.far_y) * along.y + (n.near_z + n.far_z) * along.z;
             t = mix(vec4(kNoHit), t, notEqual(uvec4(entered) & uvec4(1u, 2u, 4u, 8u), uvec4(0u)));
-            t = mix(t, vec4(kNoHit), equal(child, uvec4(kNothing)));
+            t = mix(t, vec4(kNoHit), equal(child, uvec4(kNothing))); // which rays of NaN enter
             NEARER_FIRST(0, 1) NEARER_FIRST(2, 3) NEARER_FIRST(0, 2) NEARER_FIRST(1, 3) NEARER_FIRST(1, 2)
-            stack[top] = child.w;
+            push_row(top, child.w);
             top += uint(t.w < kNoHit);
-            stack[top] = child.z;
+            push_row(top, child.z);
             top += uint(t.z < kNoHit);
-            stack[top] = child.y;
+            push_row(top, child.y);
             top += uint(t.y < kNoHit);
             bool none = t.x == kNoHit;
             top -= uint(none);
-            at = none ? stack[top] : child.x;
+            uint popped = read_row(top);
+            at = none ? popped : child.x;
         }
         while (is_leaf(at) && at != kNothing) {
             test_leaf(at, hit);
             --top;
-            at = stack[top];
+            at = read_row(top);
             if (any && packet_or(uint(hit.ref == kNothing && hit.t > 0.0)) == 0u) at = kNothing; // all have found something
             steps += 4u;
         }
