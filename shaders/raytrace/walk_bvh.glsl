@@ -134,15 +134,15 @@ uint enter_wide(WideNode n, vec3 near, vec3 far, vec3 inv_d, float limit) {
 // The stack of a packet lies across its lanes, entry i in lane i & 7 of row i >> 3: an array that each lane keeps for itself is written lane by
 // lane on CPU drivers, and took a fifth of the walk.
 const uint kRows = (kStack + 7u) / 8u;
-uint rows[kRows];
+uint stack_rows[kRows];
 
 void push_row(uint at, uint value) {
-    for (uint r = 0u; r < kRows; ++r) rows[r] = at == 8u * r + gl_SubgroupInvocationID ? value : rows[r];
+    for (uint r = 0u; r < kRows; ++r) stack_rows[r] = at == 8u * r + gl_SubgroupInvocationID ? value : stack_rows[r];
 }
 
 uint read_row(uint at) {
-    uint row = rows[0];
-    for (uint r = 1u; r < kRows; ++r) row = at >= 8u * r ? rows[r] : row;
+    uint row = stack_rows[0];
+    for (uint r = 1u; r < kRows; ++r) row = at >= 8u * r ? stack_rows[r] : row;
     return subgroupShuffle(row, at & 7u);
 }
 
@@ -153,7 +153,7 @@ bool walk_wide(inout RayHit hit, bool any, inout Walk w) {
     uvec3 first = uvec3(0u, 2u, 4u) + uvec3(back);
     vec3 slack = mix(vec3(ray.slack), vec3(-ray.slack), back), near = ray.o + slack, far = ray.o - slack, along = subgroupShuffle(ray.d, 0u);
     uint at = w.node, top = w.top, steps = 0u;
-    for (uint r = 0u; r < kRows; ++r) rows[r] = kNothing;
+    for (uint r = 0u; r < kRows; ++r) stack_rows[r] = kNothing;
     if (push.resume == 0u) test_loose(hit);
     while (at != kNothing && steps < kPacketBudget) {
         while (!is_leaf(at)) {
