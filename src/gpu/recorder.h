@@ -15,7 +15,7 @@ namespace lightbench::gpu {
 // A resource for the shader's binding of this name. Every live binding must be offered, and no name that the shader does not declare
 // (both CHECKed); one that specialisation removed may be offered and is then not touched.
 struct Binding {
-    std::string_view name;
+    std::string name;
     std::variant<Buffer*, Image*> resource{};
     vk::DeviceSize offset = 0, bytes = VK_WHOLE_SIZE; // of a storage or uniform buffer; texel buffers are always bound whole
     Binding(std::string_view binding, Buffer& buffer, vk::DeviceSize from = 0, vk::DeviceSize size = VK_WHOLE_SIZE)

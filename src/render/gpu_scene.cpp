@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <fmt/format.h>
 
 namespace lightbench {
 namespace {
@@ -134,38 +134,9 @@ GpuScene upload_scene(gpu::Device& device, const Scene& scene, const RasterGeome
 }
 
 void offer_table(gpu::Bindings& bindings, std::string_view name, gpu::Buffer& buffer) {
-    static const std::map<std::string_view, std::string_view> kStorageNames = {{"lights", "lights_storage"},
-                                                                               {"materials", "materials_storage"},
-                                                                               {"texels", "texels_storage"},
-                                                                               {"positions", "positions_storage"},
-                                                                               {"normals", "normals_storage"},
-                                                                               {"detail", "detail_storage"},
-                                                                               {"polygon_colors", "polygon_colors_storage"},
-                                                                               {"polygon_objects", "polygon_objects_storage"},
-                                                                               {"counts", "counts_storage"},
-                                                                               {"blocks", "blocks_storage"},
-                                                                               {"layers", "layers_storage"},
-                                                                               {"layer_surfaces", "layer_surfaces_storage"},
-                                                                               {"layer_opacities", "layer_opacities_storage"},
-                                                                               {"deep_pixels", "deep_pixels_storage"},
-                                                                               {"keys_in", "keys_in_storage"},
-                                                                               {"nodes", "nodes_storage"},
-                                                                               {"narrow", "narrow_storage"},
-                                                                               {"triangles", "triangles_storage"},
-                                                                               {"spheres", "spheres_storage"},
-                                                                               {"shapes", "shapes_storage"},
-                                                                               {"corners", "corners_storage"},
-                                                                               {"rays", "rays_storage"},
-                                                                               {"hits", "hits_storage"},
-                                                                               {"hit_rays", "hit_rays_storage"},
-                                                                               {"points", "points_storage"},
-                                                                               {"lit", "lit_storage"},
-                                                                               {"tree", "tree_storage"},
-                                                                               {"media", "media_storage"},
-                                                                               {"eye_points", "eye_points_storage"}};
     if (!buffer) return;
     bindings.emplace_back(name, buffer);
-    bindings.emplace_back(kStorageNames.at(name), buffer);
+    bindings.emplace_back(fmt::format("{}_storage", name), buffer);
 }
 
 } // namespace lightbench
