@@ -12,9 +12,10 @@ namespace {
 
 constexpr Structure kStructures[] = {Structure::none, Structure::bvh, Structure::sphere_bvh, Structure::grid, Structure::octree};
 
-std::vector<float> traced(const Scene& scene, Structure structure, glm::uvec2 size, bool count = false) {
+std::vector<float> traced(const Scene& scene, Structure structure, glm::uvec2 size, bool count = false,
+                          const AccelParameters& parameters = {}) {
     Request request = ray_request(size, 4);
-    request.accel = structure, request.count = count;
+    request.accel = structure, request.count = count, request.accel_parameters = parameters;
     return render_scene(scene, request).output.radiance.value().rgba;
 }
 
@@ -24,6 +25,10 @@ void expect_equal_pictures(const Scene& scene, glm::uvec2 size = {48, 36}) {
     for (const Structure structure : kStructures)
         EXPECT_EQ(traced(scene, structure, size), reference) << "structure " << static_cast<int>(structure);
     EXPECT_EQ(traced(scene, Structure::bvh, size, true), reference) << "counting, which leaves packets out";
+    for (const unsigned leaf : {0u, 1u})
+        for (const bool count : {false, true})
+            EXPECT_EQ(traced(scene, Structure::bvh, size, count, {TreeBuilder::device, leaf}), reference)
+                << "built on the device, " << count;
 }
 
 Scene made(std::string_view kind, const MakeArguments& arguments) {
@@ -69,7 +74,18 @@ TEST(RayStructures, CoincidentSurfacesAndGlass) {
 // 12 000 spheres, all of them tested against each ray: more rounds than one dispatch takes.
 TEST(RayStructures, WalksLongerThanADispatch) {
     const Scene scene = crowd(12000);
-    EXPECT_EQ(traced(scene, Structure::none, {8, 6}), traced(scene, Structure::bvh, {8, 6}));
+    const auto reference = traced(scene, Structure::bvh, {8, 6});
+    EXPECT_EQ(traced(scene, Structure::none, {8, 6}), reference);
+    EXPECT_EQ(traced(scene, Structure::bvh, {8, 6}, false, {TreeBuilder::device}), reference);
+}
+
+TEST(RayStructures, NothingOneAndTwo) {
+    Scene scene = crowd(2);
+    expect_equal_pictures(scene);
+    scene.objects.resize(2); // the plane is two triangles
+    expect_equal_pictures(scene);
+    scene.objects.erase(scene.objects.begin());
+    expect_equal_pictures(scene);
 }
 
 } // namespace
