@@ -254,11 +254,12 @@ DeviceBuilder::DeviceBuilder(DeviceBuilder&&) noexcept = default;
 DeviceBuilder::~DeviceBuilder() = default;
 
 void DeviceBuilder::warm_up(const RayPrimitives& primitives) {
+    constexpr std::uint32_t kFew = 13; // lavapipe compiles anew where a size is a power of two: this makes none of one
     const auto counts = counts_in_tree(primitives);
     RayPrimitives few;
-    few.triangles.assign(primitives.triangles.begin(), primitives.triangles.begin() + std::min(counts[0], 2u));
-    few.spheres.assign(primitives.spheres.begin(), primitives.spheres.begin() + std::min(counts[1], 2u));
-    few.shapes.assign(primitives.shapes.begin(), primitives.shapes.begin() + std::min(counts[2], 2u));
+    few.triangles.assign(primitives.triangles.begin(), primitives.triangles.begin() + std::min(counts[0], kFew));
+    few.spheres.assign(primitives.spheres.begin(), primitives.spheres.begin() + std::min(counts[1], kFew));
+    few.shapes.assign(primitives.shapes.begin(), primitives.shapes.begin() + std::min(counts[2], kFew));
     state_->fit(primitives);
     build(few, 1);
 }
