@@ -7,6 +7,7 @@
 #include "unit/accel_support.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace lightbench {
 namespace {
