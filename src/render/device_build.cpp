@@ -230,7 +230,7 @@ DeviceTree Build::run() {
     accel.depth = ~bounds.deepest;
     CHECK(accel.depth <= 64u, "while building a tree on the device");
     // As accel/bvh_wide.cpp and bvh_narrow.cpp count; each level of the wide tree is two of the other and leaves three children waiting.
-    accel.stack = std::max(accel.depth + 2, 3 * ((accel.depth + 1) / 2) + 2);
+    accel.stack = std::max(accel.depth + 2, 3 * ((accel.depth + 1) / 2) + 3);
     accel.loose = loose_types(counts_of(primitives_));
     accel.node_count = kept_, accel.reference_count = push_.items;
     return std::move(out_);
