@@ -65,6 +65,7 @@
 #define FETCH_CORNERS 0x2000u
 #define FETCH_RAYS 0x4000u                      // rays, hits, points, nodes of the ray tree
 #define FETCH_EYE_POINTS 0x8000u
+#define FETCH_BUILD 0x10000u                   // of the passes that build a structure
 
 #define SHADING_FLAT 0u
 #define SHADING_GOURAUD 1u

@@ -56,10 +56,9 @@ constexpr std::uint32_t kLoose = 4, kCrowd = 64;
 
 // Takes them out of `items`.
 std::vector<TreeItem> take_loose(std::vector<TreeItem>& items, AccelTables& tables) {
-    std::array<std::uint32_t, 3> counts{};
+    std::array<std::size_t, 3> counts{};
     for (const TreeItem& item : items) ++counts[item.type];
-    for (std::size_t type = 0; type < counts.size(); ++type)
-        if (counts[type] <= kLoose && items.size() - counts[type] >= kCrowd) tables.loose[type] = counts[type];
+    tables.loose = loose_types(counts);
     std::vector<TreeItem> loose;
     std::erase_if(items, [&](const TreeItem& item) {
         if (tables.loose[item.type] > 0) loose.push_back(item);
@@ -99,6 +98,14 @@ void build_tree_of(AccelTables& tables, RayPrimitives& primitives, const AccelRe
 }
 
 } // namespace
+
+std::array<std::uint32_t, 3> loose_types(const std::array<std::size_t, 3>& counts) {
+    const std::size_t all = counts[0] + counts[1] + counts[2];
+    std::array<std::uint32_t, 3> loose{};
+    for (std::size_t type = 0; type < counts.size(); ++type)
+        if (counts[type] <= kLoose && all - counts[type] >= kCrowd) loose[type] = static_cast<std::uint32_t>(counts[type]);
+    return loose;
+}
 
 AccelTables build_accel(RayPrimitives& primitives, const AccelRequest& request) {
     const auto start = std::chrono::steady_clock::now();

@@ -42,4 +42,7 @@ struct AccelTables {
 // Puts the tables of `primitives` into the structure's order (their numbers stay with them); `corners` stay by number.
 AccelTables build_accel(RayPrimitives& primitives, const AccelRequest& request);
 
+// By kType...: how many of a type stay out of the tree of boxes, which are all of the type, or none.
+std::array<std::uint32_t, 3> loose_types(const std::array<std::size_t, 3>& counts);
+
 } // namespace lightbench

@@ -17,19 +17,10 @@ constexpr double kMargin = 0x1p-19;
 
 class Planes {
   public:
-    Planes(AccelTables& tables, const FloatBox& box) : tables_(tables) {
-        const glm::dvec3 min(box.min), max(box.max);
-        for (int axis = 0; axis < 3; ++axis) size_ = std::max({size_, std::abs(min[axis]), std::abs(max[axis])});
-        for (int axis = 0; axis < 3; ++axis) {
-            const double margin = std::max(2 * kMargin * size_, 0x1p-100);
-            tables.narrow_origin[axis] = std::nextafter(static_cast<float>(min[axis] - margin), -INFINITY);
-            const double extent = max[axis] + margin - tables.narrow_origin[axis];
-            tables.narrow_step[axis] = std::nextafter(static_cast<float>(extent / kLargest), INFINITY);
-        }
-    }
+    Planes(AccelTables& tables, const FloatBox& box) : tables_(tables), margin_(set_planes(tables, box)) {}
 
-    std::uint32_t below(int axis, double x) const { return static_cast<std::uint32_t>(clamped(std::floor(at(axis, x - kMargin * size_)))); }
-    std::uint32_t above(int axis, double x) const { return static_cast<std::uint32_t>(clamped(std::ceil(at(axis, x + kMargin * size_)))); }
+    std::uint32_t below(int axis, double x) const { return static_cast<std::uint32_t>(clamped(std::floor(at(axis, x - margin_)))); }
+    std::uint32_t above(int axis, double x) const { return static_cast<std::uint32_t>(clamped(std::ceil(at(axis, x + margin_)))); }
 
     uvec4 words(const FloatBox& box, std::uint32_t reference) const {
         uvec4 words(0, 0, 0, reference);
@@ -48,7 +39,7 @@ class Planes {
     static double clamped(double q) { return q > 0 ? std::min(q, kLargest) : 0; } // also of NaN
 
     AccelTables& tables_;
-    double size_ = 0;
+    double margin_;
 };
 
 constexpr uvec4 kAbsent{0xffffu, 0xffffu, 0xffffu, gpu_layout::kNothing}; // lo 65535, hi 0
@@ -59,6 +50,19 @@ struct Cost {
 };
 
 } // namespace
+
+double set_planes(AccelTables& tables, const FloatBox& box) {
+    const glm::dvec3 min(box.min), max(box.max);
+    double size = 0;
+    for (int axis = 0; axis < 3; ++axis) size = std::max({size, std::abs(min[axis]), std::abs(max[axis])});
+    for (int axis = 0; axis < 3; ++axis) {
+        const double margin = std::max(2 * kMargin * size, 0x1p-100);
+        tables.narrow_origin[axis] = std::nextafter(static_cast<float>(min[axis] - margin), -INFINITY);
+        const double extent = max[axis] + margin - tables.narrow_origin[axis];
+        tables.narrow_step[axis] = std::nextafter(static_cast<float>(extent / kLargest), INFINITY);
+    }
+    return kMargin * size;
+}
 
 void add_narrow(AccelTables& tables, const Tree& tree) {
     tables.stack = std::max(tables.stack, tree.depth + 2); // as the wide one

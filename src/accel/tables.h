@@ -28,6 +28,9 @@ void add_narrow(AccelTables& tables, const Tree& tree);
 // `spheres` by slot.
 void add_spheres(AccelTables& tables, const Tree& tree, const std::vector<glm::vec4>& spheres);
 
+// Sets where the planes of a narrow tree over `box` lie. Returns by how many frame units they must lie outside of what they bound.
+double set_planes(AccelTables& tables, const FloatBox& box);
+
 // Where plane q of the narrow tree lies, in exact arithmetic.
 inline double narrow_plane(const AccelTables& tables, int axis, std::uint32_t q) {
     return double{tables.narrow_origin[axis]} + double{tables.narrow_step[axis]} * q;

@@ -40,6 +40,11 @@ bool take_depth(std::string_view text, Structure, AccelParameters& p) {
     return p.depth > 0;
 }
 
+bool take_builder(std::string_view text, Structure, AccelParameters& p) {
+    p.builder = text == "device" ? TreeBuilder::device : TreeBuilder::host;
+    return text == "device" || text == "host";
+}
+
 const std::vector<ParameterRow>& rows() {
     static const std::vector<ParameterRow> all = {
         {"leaf",
@@ -49,6 +54,7 @@ const std::vector<ParameterRow>& rows() {
         {"cells", "L,M,N, three whole numbers from 1 to 1024", {Structure::grid}, take_cells},
         {"density", "cells a primitive, above 0 and at most 1000", {Structure::grid}, take_density},
         {"depth", "a whole number from 1 to 20", {Structure::octree}, take_depth},
+        {"builder", "host or device", {Structure::bvh}, take_builder},
     };
     return all;
 }
@@ -63,7 +69,7 @@ void take(std::string_view text, Structure structure, AccelParameters& parameter
     const std::string_view name = text.substr(0, equals);
     const auto row = std::ranges::find(rows(), name, &ParameterRow::name);
     if (equals == std::string_view::npos || row == rows().end())
-        problems.push_back(fmt::format("\"{}\" must be leaf=N, cells=L,M,N, density=X or depth=N", text));
+        problems.push_back(fmt::format("\"{}\" must be leaf=N, cells=L,M,N, density=X, depth=N or builder=host|device", text));
     else if (std::ranges::find(row->structures, structure) == row->structures.end())
         problems.push_back(fmt::format("{} has no meaning for --accel {}", name, name_of(structure)));
     else if (!row->take(text.substr(equals + 1), structure, parameters))

@@ -47,7 +47,7 @@ constexpr OptionRow kOptions[] = {
     {"--cutoff", "X", "rays of a smaller weight are not sent; default 0"},
     {"--opaque-shadows", nullptr, "what one can see through casts shadows all the same"},
     {"--accel", "NAME", "structure that rays walk through: none, bvh (default), sphere-bvh, grid, octree"},
-    {"--accel-param", "k=v", "of the structure: leaf=N, cells=L,M,N, density=X, depth=N; several, with commas or again"},
+    {"--accel-param", "k=v", "of the structure: leaf=N, cells=L,M,N, density=X, depth=N, builder=host|device; several, with commas or again"},
     {"--hemicube", "N", "", "--method radiosity"},
     {"--patch", "SIZE", "", "--method radiosity"},
     {"--solver", "NAME", "", "--method radiosity"},

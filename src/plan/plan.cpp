@@ -117,12 +117,20 @@ Resource geometry_buffer(const std::string& name, const Facts& facts, const Plan
 }
 
 bool request_rays(const std::string& name) {
-    static const std::set<std::string> names = {"primitives", "structure", "rays", "hits", "points", "visibility", "ray-tree", "media"};
+    static const std::set<std::string> names = {"primitives", "rays", "hits", "points", "visibility", "ray-tree", "media"};
     return names.contains(name);
+}
+
+// Who builds a tree of boxes, and why. Measured by tests/bench/build_bench.cpp.
+std::string structure_reason(const Plan& plan) {
+    if (plan.accel != Structure::bvh) return "sized by the scene's primitives";
+    if (plan.accel_parameters.builder == TreeBuilder::device) return "bvh, built on the device as asked: sooner there, but slower to trace";
+    return "bvh, built on the host: one by surface area is traced faster, and the scene is built once";
 }
 
 // Describes one resource by its name.
 Resource describe(const std::string& name, const Facts& facts, const Plan& plan) {
+    if (name == "structure") return {name, 0, structure_reason(plan)};
     if (request_rays(name)) return {name, 0, "sized by the scene's primitives and by the rays of a batch"};
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
     if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));

@@ -19,8 +19,11 @@ struct Rect {
     glm::uvec2 offset{0}, size{0};
 }; // pixels, origin at the upper left
 
+enum class TreeBuilder { host, device };
+
 // 0: chosen by what builds the structure.
 struct AccelParameters {
+    TreeBuilder builder = TreeBuilder::host; // bvh
     unsigned leaf = 0;   // primitives of a leaf at most (bvh, sphere-bvh), of a voxel before it is split (octree)
     glm::uvec3 cells{0}; // of the grid
     double density = 0;  // cells of the grid a primitive

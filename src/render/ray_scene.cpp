@@ -1,6 +1,7 @@
 // Builds the structure that the plan names, and uploads it with the primitives in its order.
 #include "render/ray_scene.h"
 
+#include "render/device_build.h"
 #include "shared/effects.h"
 #include "shared/rays.h"
 
@@ -58,6 +59,34 @@ void prepend_planes(AccelTables& tables) {
     tables.narrow.insert(tables.narrow.begin(), {words(tables.narrow_origin), words(tables.narrow_step)});
 }
 
+void note(RayScene& out, const gpu::Buffer& buffer, std::uint32_t bit) {
+    if (buffer && !buffer.as_texel()) out.fetch_storage |= bit;
+}
+
+void build_there(gpu::Device& device, RayScene& out, const RayPrimitives& primitives, std::uint32_t leaf) {
+    DeviceBuilder builder(device);
+    builder.warm_up(primitives);
+    DeviceTree tree = builder.build(primitives, leaf);
+    out.nodes = std::move(tree.nodes), out.narrow = std::move(tree.narrow);
+    out.triangles = std::move(tree.triangles), out.spheres = std::move(tree.spheres), out.shapes = std::move(tree.shapes);
+    note(out, out.nodes, FETCH_NODES), note(out, out.narrow, FETCH_NARROW);
+    note(out, out.triangles, FETCH_TRIANGLES), note(out, out.spheres, FETCH_SPHERES), note(out, out.shapes, FETCH_SHAPES);
+    out.accel = std::move(tree.accel);
+    out.structure_bytes = out.nodes.size() + out.narrow.size();
+}
+
+void build_here(gpu::Device& device, RayScene& out, RayPrimitives& primitives, const AccelRequest& request) {
+    out.accel = build_accel(primitives, request);
+    if (!out.accel.narrow.empty()) prepend_planes(out.accel);
+    out.structure_bytes = out.accel.bytes();
+    out.nodes = table(device, out, "nodes", out.accel.nodes, FETCH_NODES);
+    out.narrow = table(device, out, "narrow", out.accel.narrow, FETCH_NARROW);
+    out.triangles = table(device, out, "triangles", primitives.triangles, FETCH_TRIANGLES);
+    out.spheres = table(device, out, "spheres", primitives.spheres, FETCH_SPHERES);
+    out.shapes = table(device, out, "shapes", primitives.shapes, FETCH_SHAPES);
+    out.accel.nodes = {}, out.accel.narrow = {};
+}
+
 } // namespace
 
 RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
@@ -66,15 +95,13 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
         primitives.reach = std::max(primitives.reach, glm::length(geometry.frame.from_world(camera.position)) + 2 * geometry.frame.radius);
     RayScene out;
     if (plan.ray_effects & RAY_REFRACTED) out.media = media_of(scene, geometry, primitives);
-    out.accel = build_accel(primitives, request_of(plan));
+    // A tree of one primitive, or of none, has nothing to sort.
+    if (plan.accel == Structure::bvh && plan.accel_parameters.builder == TreeBuilder::device && has_tree(primitives))
+        build_there(device, out, primitives, plan.accel_parameters.leaf);
+    else
+        build_here(device, out, primitives, request_of(plan));
     out.effects = effects_of(primitives, plan);
     out.stack = std::max(out.accel.stack, 2u);
-    if (!out.accel.narrow.empty()) prepend_planes(out.accel);
-    out.nodes = table(device, out, "nodes", out.accel.nodes, FETCH_NODES);
-    out.narrow = table(device, out, "narrow", out.accel.narrow, FETCH_NARROW);
-    out.triangles = table(device, out, "triangles", primitives.triangles, FETCH_TRIANGLES);
-    out.spheres = table(device, out, "spheres", primitives.spheres, FETCH_SPHERES);
-    out.shapes = table(device, out, "shapes", primitives.shapes, FETCH_SHAPES);
     if (out.effects & (RAY_SMOOTH | RAY_UV)) out.corners = table(device, out, "corners", primitives.corners, FETCH_CORNERS);
     out.triangle_count = static_cast<std::uint32_t>(primitives.triangles.size());
     out.sphere_count = static_cast<std::uint32_t>(primitives.spheres.size());
@@ -84,8 +111,6 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
         out.loose |= out.accel.loose[type] << (4 * type);
         if (counts[type] > out.accel.loose[type]) out.loose |= 1u << (12 + type);
     }
-    out.structure_bytes = out.accel.bytes();
-    out.accel.nodes = {}, out.accel.narrow = {};
     return out;
 }
 

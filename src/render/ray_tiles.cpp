@@ -113,6 +113,7 @@ void TileTracer::warm_up(gpu::Image& image) {
     const bool large = frame_.area.size.x * frame_.area.size.y >= b_.capacity / 4;
     for (gpu::Buffer* b : {&b_.rays[0], &b_.rays[1], &b_.hits, &b_.hit_rays, &b_.points, &b_.visibility, &b_.tree})
         if (*b && large && w_.device.info().is_cpu) w_.recorder.fill(*b, 0);
+    w_.recorder.fill(b_.hit_rays, 0); // SwiftShader also loads for lanes that have returned: what is read as an index must be one
     w_.recorder.fill(b_.counters, 0);
     const Tile nothing{frame_.area.offset.x, frame_.area.offset.y, 0, 0};
     record_eye(nothing);

@@ -12,9 +12,10 @@ namespace {
 
 constexpr Structure kStructures[] = {Structure::none, Structure::bvh, Structure::sphere_bvh, Structure::grid, Structure::octree};
 
-std::vector<float> traced(const Scene& scene, Structure structure, glm::uvec2 size, bool count = false) {
+std::vector<float> traced(const Scene& scene, Structure structure, glm::uvec2 size, bool count = false,
+                          const AccelParameters& parameters = {}) {
     Request request = ray_request(size, 4);
-    request.accel = structure, request.count = count;
+    request.accel = structure, request.count = count, request.accel_parameters = parameters;
     return render_scene(scene, request).output.radiance.value().rgba;
 }
 
@@ -24,6 +25,8 @@ void expect_equal_pictures(const Scene& scene, glm::uvec2 size = {48, 36}) {
     for (const Structure structure : kStructures)
         EXPECT_EQ(traced(scene, structure, size), reference) << "structure " << static_cast<int>(structure);
     EXPECT_EQ(traced(scene, Structure::bvh, size, true), reference) << "counting, which leaves packets out";
+    EXPECT_EQ(traced(scene, Structure::bvh, size, false, {TreeBuilder::device}), reference) << "built on the device";
+    EXPECT_EQ(traced(scene, Structure::bvh, size, true, {TreeBuilder::device, 1}), reference) << "likewise, counting, one to a leaf";
 }
 
 Scene made(std::string_view kind, const MakeArguments& arguments) {
@@ -69,7 +72,18 @@ TEST(RayStructures, CoincidentSurfacesAndGlass) {
 // 12 000 spheres, all of them tested against each ray: more rounds than one dispatch takes.
 TEST(RayStructures, WalksLongerThanADispatch) {
     const Scene scene = crowd(12000);
-    EXPECT_EQ(traced(scene, Structure::none, {8, 6}), traced(scene, Structure::bvh, {8, 6}));
+    const auto reference = traced(scene, Structure::bvh, {8, 6});
+    EXPECT_EQ(traced(scene, Structure::none, {8, 6}), reference);
+    EXPECT_EQ(traced(scene, Structure::bvh, {8, 6}, false, {TreeBuilder::device}), reference);
+}
+
+TEST(RayStructures, TreesOfTwoOneAndNothing) {
+    for (const unsigned spheres : {2u, 1u, 0u}) {
+        Scene scene = crowd(spheres);
+        scene.objects.erase(scene.objects.begin());
+        EXPECT_EQ(traced(scene, Structure::bvh, {48, 36}, false, {TreeBuilder::device}), traced(scene, Structure::none, {48, 36}))
+            << spheres;
+    }
 }
 
 } // namespace

@@ -168,5 +168,19 @@ TEST(PlanDecide, TheCropIsTheWholeImageUnlessAsked) {
     EXPECT_EQ(bytes_of(plan, "radiance"), 640u * 360 * 16);
 }
 
+TEST(PlanDecide, SaysWhoBuildsTheTreeAndWhy) {
+    Request request;
+    request.method = Method::raytrace;
+    const auto reason = [&] {
+        const Plan plan = plan_of(lit_sphere(), request);
+        return std::ranges::find(plan.resources, "structure", &Resource::name)->reason;
+    };
+    EXPECT_THAT(reason(), HasSubstr("built on the host"));
+    request.accel_parameters.builder = TreeBuilder::device;
+    EXPECT_THAT(reason(), HasSubstr("built on the device as asked"));
+    request.accel = Structure::grid;
+    EXPECT_THAT(reason(), Not(HasSubstr("built")));
+}
+
 } // namespace
 } // namespace lightbench
