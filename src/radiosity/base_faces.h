@@ -59,6 +59,9 @@ std::uint32_t next_corner(const BaseMesh& base, const BaseEdges& edges, std::uin
 // if they meet at less than the crease angle. An edge that more than two faces share is sharp.
 std::vector<std::uint32_t> smooth_groups(const BaseMesh& base, const BaseEdges& edges);
 
+// Two triangles of a group that together are nearly a rectangle become one face. Edges and groups are to be found anew.
+void pair_triangles(BaseMesh& base, const BaseEdges& edges, const std::vector<std::uint32_t>& groups);
+
 std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t i);
 
 } // namespace lightbench

@@ -13,12 +13,12 @@ struct Piece {
     std::array<std::uint32_t, 4> corners; // index into Cutting::points; [3] is kNone for a triangle
     std::uint32_t face = 0;               // index into BaseMesh::faces
     std::uint32_t unit = 0;
+    std::size_t size() const { return corners[3] == kNone ? 3 : 4; }
 };
 
 // Pieces of one face that are near each other: a patch, or a part of one.
 struct Unit {
     std::uint32_t face = 0;
-    bool whole = false; // all of the face
 };
 
 struct Cutting {

@@ -167,7 +167,7 @@ void GridCutter::cut_face(std::uint32_t f) {
     }
     place_points(base_.faces[f], n[0], n[1]);
     const auto unit = static_cast<std::uint32_t>(cutting_.units.size());
-    cutting_.units.resize(unit + std::size_t(blocks[0]) * blocks[1], {f, blocks[0] * blocks[1] == 1});
+    cutting_.units.resize(unit + std::size_t(blocks[0]) * blocks[1], Unit{f});
     for (std::uint32_t j = 0; j < n[1]; ++j)
         for (std::uint32_t i = 0; i < n[0]; ++i) {
             const std::uint32_t *low = &lattice_[std::size_t(j) * (n[0] + 1) + i], *high = low + n[0] + 1;

@@ -42,7 +42,7 @@ class Bisector {
     double longest(const std::array<std::uint32_t, 3>& p) const {
         return std::max({length(p[0], p[1]), length(p[1], p[2]), length(p[2], p[0])});
     }
-    std::uint32_t new_unit(std::uint32_t face, bool whole);
+    std::uint32_t new_unit(std::uint32_t face);
     void triangulate_face(const BaseFace& face);
     void push(const Triangle& t);
     void link(std::uint32_t side);
@@ -62,8 +62,8 @@ class Bisector {
     std::vector<CornerTriple> triples_;
 };
 
-std::uint32_t Bisector::new_unit(std::uint32_t face, bool whole) {
-    cutting_.units.push_back({face, whole});
+std::uint32_t Bisector::new_unit(std::uint32_t face) {
+    cutting_.units.push_back({face});
     return static_cast<std::uint32_t>(cutting_.units.size() - 1);
 }
 
@@ -88,10 +88,10 @@ void Bisector::add_face(std::uint32_t f) {
         small = small && longest(p) <= longest_patch_;
     }
     if (first == triangles_.size()) return;
-    const std::uint32_t whole = small ? new_unit(f, true) : kNone;
+    const std::uint32_t whole = small ? new_unit(f) : kNone;
     for (std::size_t t = first; t < triangles_.size(); ++t) {
         triangles_[t].unit = whole;
-        if (!small && longest(triangles_[t].p) <= longest_patch_) triangles_[t].unit = new_unit(f, false);
+        if (!small && longest(triangles_[t].p) <= longest_patch_) triangles_[t].unit = new_unit(f);
     }
 }
 
@@ -138,7 +138,7 @@ void Bisector::halve_triangle(std::uint32_t side, std::uint32_t middle) {
     replace(3 * t + k1, 3 * fresh + 1);
     for (std::uint32_t s : {3 * t + k, 3 * t + k1, 3 * fresh, 3 * fresh + 2}) link(s);
     for (std::uint32_t half : {t, fresh})
-        if (old.unit == kNone && longest(triangles_[half].p) <= longest_patch_) triangles_[half].unit = new_unit(old.face, false);
+        if (old.unit == kNone && longest(triangles_[half].p) <= longest_patch_) triangles_[half].unit = new_unit(old.face);
 }
 
 void Bisector::halve(Key key) {

@@ -1,70 +1,73 @@
 // What the header of the same name says.
 #include "radiosity/patch_units.h"
 
+#include <algorithm>
 #include <numbers>
 #include <numeric>
 
 namespace lightbench {
 namespace {
 
-glm::dvec3 middle_of(const BaseMesh& base, const BaseFace& face) {
-    glm::dvec3 sum(0);
-    for (const Corner& c : base.loop(face)) sum += base.points[c.point];
-    return sum / double(face.count);
+std::vector<glm::dvec3> middles_of(const Cutting& cutting) {
+    std::vector<glm::dvec3> sums(cutting.units.size(), glm::dvec3(0));
+    std::vector<double> counts(cutting.units.size(), 0);
+    for (const Piece& piece : cutting.pieces)
+        for (std::size_t i = 0; i < piece.size(); ++i) sums[piece.unit] += cutting.points[piece.corners[i]], ++counts[piece.unit];
+    for (std::size_t u = 0; u < sums.size(); ++u) sums[u] /= std::max(counts[u], 1.0);
+    return sums;
 }
 
-class Gatherer {
-  public:
-    Gatherer(const BaseMesh& base, const BaseEdges& edges, const std::vector<std::uint32_t>& groups, double reach)
-        : base_(base), edges_(edges), groups_(groups), reach_(reach), free_(base.faces.size()) {}
-    void offer(std::uint32_t face) { free_[face] = true; }
-    std::vector<std::uint32_t> around(std::uint32_t seed);
+using Pair = std::array<std::uint32_t, 2>;
 
-  private:
-    bool joins(std::uint32_t f, std::uint32_t seed) const {
-        return free_[f] && groups_[f] == groups_[seed] &&
-               glm::dot(base_.faces[f].normal, base_.faces[seed].normal) >= 0.5 * std::numbers::sqrt2 &&
-               glm::distance(middle_of(base_, base_.faces[f]), middle_of(base_, base_.faces[seed])) <= reach_;
-    }
-
-    const BaseMesh& base_;
-    const BaseEdges& edges_;
-    const std::vector<std::uint32_t>& groups_;
-    const double reach_;
-    std::vector<bool> free_;
-};
-
-// The faces of the patch about a free face, which are free no more.
-std::vector<std::uint32_t> Gatherer::around(std::uint32_t seed) {
-    std::vector<std::uint32_t> found;
-    if (!free_[seed]) return found;
-    found.push_back(seed);
-    free_[seed] = false;
-    for (std::size_t i = 0; i < found.size(); ++i) {
-        const BaseFace& face = base_.faces[found[i]];
-        for (std::uint32_t c = face.first; c < face.first + face.count; ++c) {
-            const auto users = edges_.users_of(edges_.of_corner[c]);
-            if (users.size() != 2) continue; // as in smooth_groups
-            const std::uint32_t next = edges_.face_of_corner[users[0] == c ? users[1] : users[0]];
-            if (!joins(next, seed)) continue;
-            free_[next] = false;
-            found.push_back(next);
+// Units that share an edge which no third piece has, each pair both ways, sorted.
+std::vector<Pair> neighbours_of(const Cutting& cutting) {
+    struct Use {
+        std::uint64_t edge;
+        std::uint32_t unit;
+        auto operator<=>(const Use&) const = default;
+    };
+    std::vector<Use> uses;
+    uses.reserve(4 * cutting.pieces.size());
+    for (const Piece& piece : cutting.pieces)
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const std::uint32_t a = piece.corners[i], b = piece.corners[(i + 1) % piece.size()];
+            uses.push_back({(std::uint64_t{std::min(a, b)} << 32) | std::max(a, b), piece.unit});
         }
+    std::sort(uses.begin(), uses.end());
+    std::vector<Pair> pairs;
+    for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {
+        while (end < uses.size() && uses[end].edge == uses[i].edge) ++end;
+        if (end != i + 2 || uses[i].unit == uses[i + 1].unit) continue;
+        pairs.push_back({uses[i].unit, uses[i + 1].unit});
+        pairs.push_back({uses[i + 1].unit, uses[i].unit});
     }
-    return found;
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    return pairs;
 }
 
 } // namespace
 
-std::vector<std::uint32_t> gather_units(const BaseMesh& base, const BaseEdges& edges, const std::vector<Unit>& units,
-                                        const std::vector<std::uint32_t>& groups, double patch) {
-    std::vector<std::uint32_t> unit_of_face(base.faces.size(), kNone), patches(units.size());
-    std::iota(patches.begin(), patches.end(), 0u);
-    Gatherer gatherer(base, edges, groups, patch / 2);
-    for (std::uint32_t u = 0; u < units.size(); ++u)
-        if (units[u].whole) unit_of_face[units[u].face] = u, gatherer.offer(units[u].face);
-    for (std::uint32_t u = 0; u < units.size(); ++u)
-        for (std::uint32_t face : gatherer.around(units[u].face)) patches[unit_of_face[face]] = u;
+std::vector<std::uint32_t> gather_units(const BaseMesh& base, const Cutting& cutting, const std::vector<std::uint32_t>& groups,
+                                        double patch) {
+    const auto middles = middles_of(cutting);
+    const auto pairs = neighbours_of(cutting);
+    std::vector<std::uint32_t> patches(cutting.units.size(), kNone), found;
+    const auto joins = [&](std::uint32_t u, std::uint32_t seed) {
+        const std::uint32_t f = cutting.units[u].face, g = cutting.units[seed].face;
+        return patches[u] == kNone && groups[f] == groups[g] && glm::distance(middles[u], middles[seed]) <= patch / 2 &&
+               glm::dot(base.faces[f].normal, base.faces[g].normal) >= 0.5 * std::numbers::sqrt2;
+    };
+    for (std::uint32_t seed = 0; seed < patches.size(); ++seed) {
+        if (patches[seed] != kNone) continue;
+        patches[seed] = seed;
+        found.assign(1, seed);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            auto pair = std::lower_bound(pairs.begin(), pairs.end(), Pair{found[i], 0});
+            for (; pair != pairs.end() && (*pair)[0] == found[i]; ++pair)
+                if (joins((*pair)[1], seed)) patches[(*pair)[1]] = seed, found.push_back((*pair)[1]);
+        }
+    }
     return patches;
 }
 

@@ -40,7 +40,7 @@ class Assembler {
   public:
     Assembler(const BaseMesh& base, const BaseEdges& edges, Cutting&& cutting, double patch)
         : base_(base), cutting_(std::move(cutting)), groups_(smooth_groups(base, edges)),
-          patch_of_unit_(gather_units(base, edges, cutting_.units, groups_, patch)), group_numbers_(2 * base.faces.size(), kNone) {}
+          patch_of_unit_(gather_units(base, cutting_, groups_, patch)), group_numbers_(2 * base.faces.size(), kNone) {}
     PatchMesh run();
 
   private:
@@ -145,12 +145,15 @@ Try cut_at(const Scene& scene, const Frame& frame, const PatchRequest& request, 
     t.patch = std::max(element, request.patch > 0 ? request.patch : kElementsAcross * element);
     t.base = base_faces(scene, frame, frame.scale * element);
     t.edges = edges_of(t.base);
+    pair_triangles(t.base, t.edges, smooth_groups(t.base, t.edges));
+    t.edges = edges_of(t.base);
     t.cutting = cut(t.base, t.edges, {frame.scale * t.element, frame.scale * t.patch});
     return t;
 }
 
-// Square metres, of all sides.
-double area_of(const BaseMesh& base) {
+// What all sides would come to in elements of a square metre: of a surface that is cut by bisection a triangle has about a quarter of the square of
+// the longest edge allowed.
+double elements_of(const BaseMesh& base) {
     double area = 0;
     for (const BaseFace& face : base.faces) {
         glm::dvec3 sum(0);
@@ -158,28 +161,33 @@ double area_of(const BaseMesh& base) {
         const glm::dvec3 origin = base.points[loop[0].point];
         for (std::size_t i = 2; i < loop.size(); ++i)
             sum += glm::cross(base.points[loop[i - 1].point] - origin, base.points[loop[i].point] - origin);
-        area += (face.two_sided ? 1 : 0.5) * glm::length(sum);
+        area += (face.count == 4 ? 1 : 4) * (face.two_sided ? 1 : 0.5) * glm::length(sum);
     }
     return area / (base.frame.scale * base.frame.scale);
 }
 
-// The number of elements goes with the square of their size, as far as no face is an element already: a few tries come near what was asked for.
+// The number of elements goes with the square of their size, about, as far as no face is an element already: a few tries come near what was asked for,
+// and the nearest is taken.
 Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request) {
     constexpr int kTries = 5;
     constexpr double kNearEnough = 1.1;
     const double wanted = double(std::max<std::size_t>(request.elements, 1)), widest = 2 * frame.radius / frame.scale;
-    double element = std::sqrt(area_of(base_faces(scene, frame, frame.radius / 4)) / wanted);
+    double element = std::sqrt(elements_of(base_faces(scene, frame, frame.radius / 4)) / wanted), nearest = 0;
     if (!(element > 0)) element = widest;
-    for (int i = 1;; ++i) try {
+    std::optional<Try> best;
+    for (int i = 1; i <= kTries; ++i) try {
             Try t = cut_at(scene, frame, request, element);
-            const double ratio = double(t.cutting.sides) / wanted;
-            if (i >= kTries || t.cutting.sides == 0 || (ratio < kNearEnough && ratio > 1 / kNearEnough)) return t;
-            if (ratio > 1 && element >= widest) return t;
+            const double ratio = double(t.cutting.sides) / wanted, off = std::max(ratio, 1 / ratio);
+            const bool last = off < kNearEnough || t.cutting.sides == 0 || (ratio > 1 && element >= widest);
+            if (!best || off < nearest) best = std::move(t), nearest = off;
+            if (last) break;
             element = std::min(element * std::sqrt(ratio), widest);
         } catch (const std::length_error&) {
-            if (i >= kTries || element >= widest) throw;
+            if (best) break;
+            if (i == kTries || element >= widest) throw;
             element = std::min(4 * element, widest);
         }
+    return std::move(*best);
 }
 
 } // namespace
