@@ -1,6 +1,7 @@
 // Sizes, elements and patches from what is cut. What the header of the same name says.
 #include "radiosity/patches.h"
 
+#include "radiosity/covered.h"
 #include "radiosity/cut.h"
 #include "radiosity/patch_units.h"
 
@@ -42,6 +43,7 @@ class Assembler {
         : base_(base), cutting_(std::move(cutting)), groups_(smooth_groups(base, edges)),
           patch_of_unit_(gather_units(base, cutting_, groups_, patch)), group_numbers_(2 * base.faces.size(), kNone) {}
     PatchMesh run();
+    std::vector<std::uint32_t> face_of_element;
 
   private:
     void sort_pieces();
@@ -93,6 +95,7 @@ void Assembler::add(const Piece& piece, bool back) {
     element.surface = base_.faces[piece.face].surface;
     element.group = group_number(piece.face, back);
     mesh_.elements.push_back(element);
+    face_of_element.push_back(piece.face);
 }
 
 void Assembler::finish(Patch& patch) const {
@@ -195,7 +198,9 @@ Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request
 PatchMesh make_patches(const Scene& scene, const PatchRequest& request) {
     const Frame frame = frame_of(bounds_of(scene));
     Try t = request.element > 0 ? cut_at(scene, frame, request, request.element) : cut_into(scene, frame, request);
-    PatchMesh mesh = Assembler(t.base, t.edges, std::move(t.cutting), frame.scale * t.patch).run();
+    Assembler assembler(t.base, t.edges, std::move(t.cutting), frame.scale * t.patch);
+    PatchMesh mesh = assembler.run();
+    mark_covered(scene, t.base, t.edges, assembler.face_of_element, mesh);
     mesh.frame = frame;
     mesh.surfaces = std::move(t.base.surfaces);
     mesh.element_size = t.element, mesh.patch_size = t.patch;
