@@ -5,6 +5,7 @@
 #include "scene/triangulate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <queue>
 #include <unordered_map>
 
@@ -47,6 +48,7 @@ class Bisector {
     void push(const Triangle& t);
     void link(std::uint32_t side);
     void replace(std::uint32_t old, std::uint32_t by);
+    void expect_few() const;
     void halve(Key key);
     void halve_triangle(std::uint32_t side, std::uint32_t middle);
 
@@ -155,7 +157,21 @@ void Bisector::halve(Key key) {
     }
 }
 
+// No triangle has more area than the equilateral one: what cannot be few enough is refused before it is cut.
+void Bisector::expect_few() const {
+    double sides = 0;
+    for (const Triangle& t : triangles_) {
+        const glm::dvec3 a = cutting_.points[t.p[0]];
+        const double area = 0.5 * glm::length(glm::cross(cutting_.points[t.p[1]] - a, cutting_.points[t.p[2]] - a));
+        sides += (base_.faces[t.face].two_sided ? 2 : 1) * area / (std::sqrt(3.0) / 4 * longest_element_);
+    }
+    Cutting least;
+    count_sides(least, sides);
+}
+
 void Bisector::run() {
+    expect_few();
+    heads_.reserve(4 * triangles_.size());
     while (!waiting_.empty()) {
         const Key key = waiting_.top().key;
         waiting_.pop();

@@ -22,7 +22,8 @@ class Reconstructor {
         glm::dvec3 mean{0}, center{0}; // of values, of places; weighted by area
     };
     void number_vertices();
-    std::span<const Spot> around(std::uint32_t v) const { return {spots_.data() + starts_[v], starts_[v + 1] - starts_[v]}; }
+    std::span<const Spot> around(std::uint32_t v) const { return {spots_.data() + starts_[v], covered_[v] - starts_[v]}; }
+    std::span<const Spot> covered_around(std::uint32_t v) const { return {spots_.data() + covered_[v], starts_[v + 1] - covered_[v]}; }
     std::uint32_t vertex(std::uint32_t element, std::size_t corner) const { return vertices_[element][corner]; }
     std::uint32_t neighbour(const Spot& s, std::size_t steps) const {
         const std::size_t n = mesh_.elements[s.element].size();
@@ -34,38 +35,42 @@ class Reconstructor {
     void gather_neighbourhood(std::uint32_t v);
     glm::dvec3 on_plane(std::uint32_t v, const Fit& fit);
     glm::dvec3 on_border(std::uint32_t v);
+    glm::dvec3 beyond(std::uint32_t v) const;
+    void find_values();
 
     const PatchMesh& mesh_;
     const std::span<const glm::vec3> values_;
-    std::vector<std::array<std::uint32_t, 4>> vertices_; // of each element's corners; kNoCorner: of none
-    std::vector<std::uint32_t> starts_;                  // of spots_, by vertex
+    std::vector<std::array<std::uint32_t, 4>> vertices_; // of each element's corners
+    std::vector<std::uint32_t> starts_, covered_;        // of spots_, by vertex; from covered_ on the elements are covered
     std::vector<Spot> spots_;
     std::vector<bool> inside_;
     std::vector<glm::dvec3> of_vertices_;
     std::vector<std::uint32_t> elements_, leaving_, arriving_; // of the vertex in work
 };
 
-Reconstructor::Reconstructor(const PatchMesh& mesh, std::span<const glm::vec3> values) : mesh_(mesh), values_(values) {
-    constexpr std::array<std::uint32_t, 4> kNothing{kNoCorner, kNoCorner, kNoCorner, kNoCorner};
-    vertices_.resize(mesh.elements.size(), kNothing);
+Reconstructor::Reconstructor(const PatchMesh& mesh, std::span<const glm::vec3> values)
+    : mesh_(mesh), values_(values), vertices_(mesh.elements.size()) {
     number_vertices();
 }
 
-// Sorted by point and group; within a vertex by element.
+// Sorted by point and group; within a vertex by element, those that are covered last.
 void Reconstructor::number_vertices() {
     struct Key {
         std::uint64_t point_group;
+        bool covered;
         Spot spot;
+        bool operator<(const Key& o) const { return point_group != o.point_group ? point_group < o.point_group : covered < o.covered; }
     };
     std::vector<Key> keys;
     for (std::uint32_t e = 0; e < mesh_.elements.size(); ++e) {
         const Element& element = mesh_.elements[e];
-        for (std::uint32_t i = 0; !element.covered && i < element.size(); ++i)
-            keys.push_back({(std::uint64_t{element.corners[i]} << 32) | element.group, {e, i}});
+        for (std::uint32_t i = 0; i < element.size(); ++i)
+            keys.push_back({(std::uint64_t{element.corners[i]} << 32) | element.group, element.covered, {e, i}});
     }
-    std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.point_group < b.point_group; });
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (i == 0 || keys[i].point_group != keys[i - 1].point_group) starts_.push_back(static_cast<std::uint32_t>(i));
+    std::stable_sort(keys.begin(), keys.end());
+    for (std::uint32_t i = 0; i < keys.size(); ++i) {
+        if (i == 0 || keys[i].point_group != keys[i - 1].point_group) starts_.push_back(i), covered_.push_back(i);
+        if (!keys[i].covered) covered_.back() = i + 1;
         vertices_[keys[i].spot.element][keys[i].spot.corner] = static_cast<std::uint32_t>(starts_.size() - 1);
         spots_.push_back(keys[i].spot);
     }
@@ -155,22 +160,39 @@ glm::dvec3 Reconstructor::on_border(std::uint32_t v) {
     return quadrilaterals && elements_.size() < 3 ? near.mean : on_plane(v, near);
 }
 
-std::vector<std::array<glm::vec3, 4>> Reconstructor::run() {
-    const std::size_t count = starts_.size() - 1;
+// Of a vertex among covered elements alone: what their other corners have, so that the part of an element that is seen beside its cover goes on
+// as it begins.
+glm::dvec3 Reconstructor::beyond(std::uint32_t v) const {
+    glm::dvec3 sum(0);
+    double count = 0;
+    for (const Spot& s : covered_around(v))
+        for (std::size_t i = 0; i < mesh_.elements[s.element].size(); ++i)
+            if (const std::uint32_t other = vertex(s.element, i); !around(other).empty()) sum += of_vertices_[other], ++count;
+    return count > 0 ? sum / count : sum;
+}
+
+void Reconstructor::find_values() {
+    const auto count = static_cast<std::uint32_t>(covered_.size());
     of_vertices_.resize(count), inside_.resize(count);
     for (std::uint32_t v = 0; v < count; ++v) {
-        inside_[v] = is_inside(v);
+        inside_[v] = !around(v).empty() && is_inside(v);
         if (!inside_[v]) continue;
         elements_.clear();
         for (const Spot& s : around(v)) elements_.push_back(s.element);
         of_vertices_[v] = mean_of(elements_).mean;
     }
     for (std::uint32_t v = 0; v < count; ++v)
-        if (!inside_[v]) of_vertices_[v] = on_border(v);
+        if (!inside_[v] && !around(v).empty()) of_vertices_[v] = glm::max(on_border(v), glm::dvec3(0));
+    for (std::uint32_t v = 0; v < count; ++v)
+        if (around(v).empty()) of_vertices_[v] = beyond(v);
+}
+
+std::vector<std::array<glm::vec3, 4>> Reconstructor::run() {
+    find_values();
     std::vector<std::array<glm::vec3, 4>> corners(mesh_.elements.size());
     for (std::uint32_t e = 0; e < corners.size(); ++e)
-        for (std::size_t i = 0; i < 4; ++i)
-            if (const std::uint32_t v = vertices_[e][i]; v != kNoCorner) corners[e][i] = glm::max(glm::vec3(of_vertices_[v]), glm::vec3(0));
+        for (std::size_t i = 0; i < mesh_.elements[e].size(); ++i)
+            corners[e][i] = glm::max(glm::vec3(of_vertices_[vertex(e, i)]), glm::vec3(0));
     return corners;
 }
 
