@@ -1,5 +1,5 @@
-// The faces of all objects of a scene, welded into one, before they are cut into elements. In: Scene, how long an edge of a curved primitive's
-// facet may be. Out: BaseMesh, its edges, which faces hang together smoothly. Pure.
+// The faces of all objects of a scene, welded into one, before they are cut into elements. In: Scene, how long an edge of a curved
+// primitive's facet may be. Out: BaseMesh, its edges, which faces hang together smoothly. Pure.
 #pragma once
 
 #include "scene/tessellate.h"
@@ -12,8 +12,8 @@
 
 namespace lightbench {
 
-// How many pieces of length at most `most` it takes. A length that rounding made a hair longer (2^-40 of it, thousands of ulp) is not cut once
-// more for that.
+// How many pieces of length at most `most` it takes. A length that rounding made a hair longer (2^-40 of it, thousands of ulp) is not cut
+// once more for that.
 double pieces_of(double length, double most);
 
 // A planar face, or nearly: its normal is Newell's.
@@ -40,7 +40,8 @@ struct BaseMesh {
 // `facet` in frame units. Throws std::length_error if curved primitives alone would come to more than limits::kMaxElements.
 BaseMesh base_faces(const Scene& scene, const Frame& frame, double facet);
 
-// Edge e joins points ends[e][0] < ends[e][1]; the corners that it starts at, whichever way, are users[starts[e]] ... users[starts[e + 1] - 1].
+// Edge e joins points ends[e][0] < ends[e][1]; the corners that it starts at, whichever way, are users[starts[e]] ... users[starts[e + 1] -
+// 1].
 struct BaseEdges {
     std::vector<std::array<std::uint32_t, 2>> ends;
     std::vector<std::uint32_t> starts, users;
@@ -54,9 +55,9 @@ BaseEdges edges_of(const BaseMesh& base);
 // Index of a corner's successor in its face.
 std::uint32_t next_corner(const BaseMesh& base, const BaseEdges& edges, std::uint32_t corner);
 
-// A number a face: equal where one can walk from face to face of one surface over edges that are not sharp. An edge is smooth if the faces of an
-// object share a normal at one of its ends at least (their own normals, or what smoothing up to the crease angle made), and those of two objects
-// if they meet at less than the crease angle. An edge that more than two faces share is sharp.
+// A number a face: equal where one can walk from face to face of one surface over edges that are not sharp. An edge is smooth if the faces
+// of an object share a normal at one of its ends at least (their own normals, or what smoothing up to the crease angle made), and those of
+// two objects if they meet at less than the crease angle. An edge that more than two faces share is sharp.
 std::vector<std::uint32_t> smooth_groups(const BaseMesh& base, const BaseEdges& edges);
 
 // Two triangles of a group that together are nearly a rectangle become one face. Edges and groups are to be found anew.

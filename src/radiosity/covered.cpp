@@ -10,8 +10,8 @@
 namespace lightbench {
 namespace {
 
-// Frame units. Hemi-cubes see points as float32: coordinates below 2 move by 2^-24 at most, so two points that are one may lie 2 sqrt(3) 2^-24 apart,
-// and what is nearer to each other than that is not told apart.
+// Frame units. Hemi-cubes see points as float32: coordinates below 2 move by 2^-24 at most, so two points that are one may lie 2 sqrt(3)
+// 2^-24 apart, and what is nearer to each other than that is not told apart.
 constexpr double kTouch = 0x1p-22;
 constexpr double kOpposite = 0x1p-20; // of unit normals: by which a face as large as a quarter of the scene leaves the plane by kTouch
 
@@ -25,7 +25,8 @@ struct Lid {
     Bounds box;
 };
 
-// Crossings of a ray in the plane, which starts at the point: odd inside (Shimrat 1962, "Algorithm 112: Position of point relative to polygon").
+// Crossings of a ray in the plane, which starts at the point: odd inside (Shimrat 1962, "Algorithm 112: Position of point relative to
+// polygon").
 bool is_within(std::span<const Segment> outline, const glm::dvec3& point, const glm::dvec3& normal) {
     bool inside = false;
     for (const Segment& s : outline) {

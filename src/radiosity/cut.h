@@ -32,8 +32,8 @@ struct Cutting {
 Cutting cut(const BaseMesh& base, const BaseEdges& edges, const CutSizes& sizes);
 
 // Its two halves. `grid` says of each face which of them cuts it; each appends to `cutting`.
-// Grids: all edges that face each other across a row of quadrilaterals get the same number of pieces. Takes faces out of `grid` whose neighbours of
-// the other kind could not follow.
+// Grids: all edges that face each other across a row of quadrilaterals get the same number of pieces. Takes faces out of `grid` whose
+// neighbours of the other kind could not follow.
 void cut_grids(const BaseMesh& base, const BaseEdges& edges, const CutSizes& sizes, std::vector<bool>& grid, Cutting& cutting);
 // Triangles: the longest edge of all is halved, and every triangle at it, until none is longer than an element.
 void cut_triangles(const BaseMesh& base, const CutSizes& sizes, const std::vector<bool>& grid, Cutting& cutting);

@@ -86,8 +86,8 @@ double GridCutter::wanted(const Directions& d, int along) const {
     return pieces_of(d.length[along], std::max(2 * width, kFinest * sizes_.element));
 }
 
-// More pieces in a row make narrower cells of its other faces, which may need more in turn: until nothing changes. It ends, for no row gets more
-// pieces than kFinest allows.
+// More pieces in a row make narrower cells of its other faces, which may need more in turn: until nothing changes. It ends, for no row gets
+// more pieces than kFinest allows.
 bool GridCutter::make_squarer() {
     bool changed = false;
     for (std::uint32_t f = 0; f < base_.faces.size(); ++f) {
@@ -99,7 +99,8 @@ bool GridCutter::make_squarer() {
     return changed;
 }
 
-// Triangles cut no edge that is short enough. A grid that cuts an edge which it shares with one is given up, and all that hangs together with it.
+// Triangles cut no edge that is short enough. A grid that cuts an edge which it shares with one is given up, and all that hangs together
+// with it.
 void GridCutter::leave_to_triangles() {
     std::vector<std::uint32_t> part(base_.faces.size());
     std::iota(part.begin(), part.end(), 0u);

@@ -1,5 +1,5 @@
-// Bisection of longest edges, the longest of all first: then every triangle at an edge that is cut has it for its longest, the cut goes to its middle
-// from the opposite corner, and the triangles meet corner to corner at any time. What cut.h says.
+// Bisection of longest edges, the longest of all first: then every triangle at an edge that is cut has it for its longest, the cut goes to
+// its middle from the opposite corner, and the triangles meet corner to corner at any time. What cut.h says.
 #include "radiosity/cut.h"
 
 #include "scene/triangulate.h"
@@ -56,7 +56,8 @@ class Bisector {
     Cutting& cutting_;
     const double longest_element_, longest_patch_; // squared
     std::vector<Triangle> triangles_;
-    // Side k of triangle t is 3 t + k, from its corner k to the next. All sides along an edge are in a list, whose head is found by the edge.
+    // Side k of triangle t is 3 t + k, from its corner k to the next. All sides along an edge are in a list, whose head is found by the
+    // edge.
     std::vector<std::uint32_t> next_, previous_;
     std::unordered_map<Key, std::uint32_t> heads_;
     std::priority_queue<Waiting> waiting_;

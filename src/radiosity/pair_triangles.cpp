@@ -10,8 +10,8 @@ namespace {
 // The sides opposite the diagonal meet at an angle whose cosine is no larger than this: 75 to 105 degrees.
 constexpr double kMostCosine = 0.25;
 
-// Radians between their normals. The bilinear surface that takes their place lies a quarter of a corner's height over the other triangle away from
-// them: within 1/256 of the rectangle's width. The walls of the Cornell box as measured fold by 1/122.
+// Radians between their normals. The bilinear surface that takes their place lies a quarter of a corner's height over the other triangle
+// away from them: within 1/256 of the rectangle's width. The walls of the Cornell box as measured fold by 1/122.
 constexpr double kMostFold = 1.0 / 64;
 
 class Pairer {
@@ -43,7 +43,8 @@ bool Pairer::is_half(std::uint32_t diagonal) const {
     return glm::dot(w, w) > std::max(uu, vv) && uv * uv <= kMostCosine * kMostCosine * uu * vv;
 }
 
-// Corners b, a of the one and a, b of the other start the diagonal. Points are kept for the fan about a, which gives the same triangles again.
+// Corners b, a of the one and a, b of the other start the diagonal. Points are kept for the fan about a, which gives the same triangles
+// again.
 std::array<Corner, 4> Pairer::loop_of(std::uint32_t a, std::uint32_t b) const {
     const std::uint32_t b_here = next_corner(base_, edges_, a), c = next_corner(base_, edges_, b_here);
     const std::uint32_t a_there = next_corner(base_, edges_, b), d = next_corner(base_, edges_, a_there);

@@ -154,8 +154,8 @@ Try cut_at(const Scene& scene, const Frame& frame, const PatchRequest& request, 
     return t;
 }
 
-// What all sides would come to in elements of a square metre: of a surface that is cut by bisection a triangle has about a quarter of the square of
-// the longest edge allowed.
+// What all sides would come to in elements of a square metre: of a surface that is cut by bisection a triangle has about a quarter of the
+// square of the longest edge allowed.
 double elements_of(const BaseMesh& base) {
     double area = 0;
     for (const BaseFace& face : base.faces) {
@@ -169,8 +169,8 @@ double elements_of(const BaseMesh& base) {
     return area / (base.frame.scale * base.frame.scale);
 }
 
-// The number of elements goes with the square of their size, about, as far as no face is an element already: a few tries come near what was asked for,
-// and the nearest is taken.
+// The number of elements goes with the square of their size, about, as far as no face is an element already: a few tries come near what was
+// asked for, and the nearest is taken.
 Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request) {
     constexpr int kTries = 5;
     constexpr double kNearEnough = 1.1;

@@ -125,8 +125,8 @@ void Reconstructor::gather_neighbourhood(std::uint32_t v) {
     elements_.erase(std::unique(elements_.begin(), elements_.end()), elements_.end());
 }
 
-// Least squares in the tangent plane, about the mean. Centres that lie nearly on a line say nothing of the slope across it: it would be what is not
-// linear, times their length over their width; that is taken up to 8, the square of which is the ratio of the moments.
+// Least squares in the tangent plane, about the mean. Centres that lie nearly on a line say nothing of the slope across it: it would be
+// what is not linear, times their length over their width; that is taken up to 8, the square of which is the ratio of the moments.
 glm::dvec3 Reconstructor::on_plane(std::uint32_t v, const Fit& near) {
     gather_neighbourhood(v);
     const Fit fit = mean_of(elements_);
@@ -160,8 +160,8 @@ glm::dvec3 Reconstructor::on_border(std::uint32_t v) {
     return quadrilaterals && elements_.size() < 3 ? near.mean : on_plane(v, near);
 }
 
-// Of a vertex among covered elements alone: what their other corners have, so that the part of an element that is seen beside its cover goes on
-// as it begins.
+// Of a vertex among covered elements alone: what their other corners have, so that the part of an element that is seen beside its cover
+// goes on as it begins.
 glm::dvec3 Reconstructor::beyond(std::uint32_t v) const {
     glm::dvec3 sum(0);
     double count = 0;
