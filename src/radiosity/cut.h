@@ -6,7 +6,7 @@
 namespace lightbench {
 
 struct CutSizes {
-    double element = 1, patch = 1; // frame units, patch >= element
+    double element = 1, patch = 1; // frame units
 };
 
 struct Piece {

@@ -178,6 +178,8 @@ void Bisector::run() {
         waiting_.pop();
         halve(key);
     }
+    for (Triangle& t : triangles_)
+        if (t.unit == kNone) t.unit = new_unit(t.face); // where patches are smaller than elements
     for (const Triangle& t : triangles_) cutting_.pieces.push_back({{t.p[0], t.p[1], t.p[2], kNone}, t.face, t.unit});
 }
 

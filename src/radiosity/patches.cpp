@@ -134,6 +134,10 @@ PatchMesh Assembler::run() {
     return std::move(mesh_);
 }
 
+double patch_for(const PatchRequest& request, double element) {
+    return std::max(element, request.patch > 0 ? request.patch : kElementsAcross * element);
+}
+
 // What is cut for one try of a size, in metres.
 struct Try {
     double element = 0, patch = 0;
@@ -142,10 +146,10 @@ struct Try {
     Cutting cutting;
 };
 
-Try cut_at(const Scene& scene, const Frame& frame, const PatchRequest& request, double element) {
+Try cut_at(const Scene& scene, const Frame& frame, double element, double patch) {
     Try t;
     t.element = element;
-    t.patch = std::max(element, request.patch > 0 ? request.patch : kElementsAcross * element);
+    t.patch = patch;
     t.base = base_faces(scene, frame, frame.scale * element);
     t.edges = edges_of(t.base);
     pair_triangles(t.base, t.edges, smooth_groups(t.base, t.edges));
@@ -179,7 +183,7 @@ Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request
     if (!(element > 0)) element = widest;
     std::optional<Try> best;
     for (int i = 1; i <= kTries; ++i) try {
-            Try t = cut_at(scene, frame, request, element);
+            Try t = cut_at(scene, frame, element, patch_for(request, element));
             const double ratio = double(t.cutting.sides) / wanted, off = std::max(ratio, 1 / ratio);
             const bool last = off < kNearEnough || t.cutting.sides == 0 || (ratio > 1 && element >= widest);
             if (!best || off < nearest) best = std::move(t), nearest = off;
@@ -190,6 +194,12 @@ Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request
             if (i == kTries || element >= widest) throw;
             element = std::min(4 * element, widest);
         }
+    // Where the faces are smaller than the elements could be, patches are made for what there is.
+    const double typical = 2 * std::sqrt(elements_of(best->base) / double(std::max<std::size_t>(best->cutting.sides, 1)));
+    if (typical > 0 && typical < best->element) {
+        best = cut_at(scene, frame, best->element, patch_for(request, typical));
+        best->element = typical;
+    }
     return std::move(*best);
 }
 
@@ -197,7 +207,8 @@ Try cut_into(const Scene& scene, const Frame& frame, const PatchRequest& request
 
 PatchMesh make_patches(const Scene& scene, const PatchRequest& request) {
     const Frame frame = frame_of(bounds_of(scene));
-    Try t = request.element > 0 ? cut_at(scene, frame, request, request.element) : cut_into(scene, frame, request);
+    Try t =
+        request.element > 0 ? cut_at(scene, frame, request.element, patch_for(request, request.element)) : cut_into(scene, frame, request);
     Assembler assembler(t.base, t.edges, std::move(t.cutting), frame.scale * t.patch);
     PatchMesh mesh = assembler.run();
     mark_covered(scene, t.base, t.edges, assembler.face_of_element, mesh);

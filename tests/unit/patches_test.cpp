@@ -180,6 +180,8 @@ TEST(Patches, AreTheSameEachTime) {
     const Scene scene = made("teapot");
     const PatchMesh a = make_patches(scene, {}), b = make_patches(scene, {});
     expect_sound(a);
+    for (const Patch& patch : a.patches)
+        EXPECT_LT(patch.radius, 0.6) << "its faces are more than was asked for: patches do not grow for that";
     ASSERT_EQ(a.elements.size(), b.elements.size());
     EXPECT_EQ(a.points, b.points);
     for (std::size_t i = 0; i < a.elements.size(); ++i) EXPECT_EQ(a.elements[i].corners, b.elements[i].corners);
