@@ -1,5 +1,5 @@
-// The surfaces of a scene as elements, which receive light, grouped into patches, which send it (Cohen, Greenberg, Immel and Brock 1986, "An
-// Efficient Radiosity Approach for Realistic Image Synthesis"). In: a tessellation, sizes. Out: PatchMesh. Pure, no Vulkan.
+// The surfaces of a scene as elements, which receive light, grouped into patches, which send it (Cohen, Greenberg, Immel and Brock 1986,
+// "An Efficient Radiosity Approach for Realistic Image Synthesis"). In: a tessellation, sizes. Out: PatchMesh. Pure, no Vulkan.
 #pragma once
 
 #include "scene/tessellate.h"
@@ -25,7 +25,7 @@ struct Element {
     std::array<std::uint32_t, 4> corners{kNoCorner, kNoCorner, kNoCorner, kNoCorner}; // index into PatchMesh::points
     std::uint32_t patch = 0;
     std::uint32_t surface = 0;         // index into PatchMesh::surfaces
-    std::uint32_t group = 0;           // smoothing group: no value is averaged across two of them (creases, objects, sides)
+    std::uint32_t group = 0;           // smoothing group: no value is averaged across two of them (creases, surfaces, sides)
     std::uint32_t behind = kNoElement; // the element on the other side, where a surface has two
     glm::dvec3 center{0};              // frame; of area
     glm::dvec3 normal{0};              // unit
@@ -53,10 +53,12 @@ struct PatchMesh {
     std::size_t dropped = 0;                 // faces without area
 };
 
-// Quadrilaterals that touch no other kind of face are cut into grids, whose lines go on from one to the next; everything else into triangles
-// by bisection of longest edges (Rivara 1984, "Algorithms for refining triangular grids suitable for adaptive and multigrid techniques").
-// No corner lies on another element's edge; the aspect of an element is at most 2 wherever its face allows it.
-// A surface that is seen from both sides (two_sided; as the rasteriser does) has elements on both.
+// Quadrilaterals (two triangles that make a rectangle are one) that share no edge that is to be cut with another kind of face become grids,
+// whose lines go on from one to the next; everything else is cut into triangles by bisection of longest edges (Rivara 1984, "Algorithms for
+// refining triangular grids suitable for adaptive and multigrid techniques"). No corner lies on an edge of another element, across objects
+// too where they share whole edges. The aspect of an element of a grid is at most 2, unless its face is narrower than 1/32 of an element.
+// A surface that is seen from both sides (two_sided; as the rasteriser does) has elements on both; backs come after all fronts.
+// Patches are blocks of a grid, triangles that come from one, and neighbours of these that are small.
 // Throws std::length_error if there would be more than `limits::kMaxElements`.
 PatchMesh make_patches(const Scene& scene, const PatchRequest& request);
 

@@ -61,6 +61,7 @@ Scene make_cornell_box(const MakeValues& values) {
     const std::uint32_t white = add_diffuse(scene, "white", kWhite), red = add_diffuse(scene, "red", kRed),
                         green = add_diffuse(scene, "green", kGreen), lamp = add_diffuse(scene, "lamp", glm::vec3(0));
     scene.materials[lamp].emission = kLampRadiance;
+    scene.materials[lamp].two_sided = false; // it sends down only
     add_walls(scene, white, red, green);
     add_block(scene, {{130, 165, 65}, {82, 165, 225}, {240, 165, 272}, {290, 165, 114}}, white);
     add_block(scene, {{423, 330, 247}, {265, 330, 296}, {314, 330, 456}, {472, 330, 406}}, white);
