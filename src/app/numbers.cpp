@@ -46,6 +46,13 @@ std::optional<FrameRange> parse_range(std::string_view text) {
     return FrameRange{*first, *last};
 }
 
+std::optional<glm::uvec2> parse_pixel(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 2) return std::nullopt;
+    const auto x = parse_unsigned<65535>(parts[0]), y = parse_unsigned<65535>(parts[1]);
+    return x && y ? std::optional(glm::uvec2(*x, *y)) : std::nullopt;
+}
+
 std::optional<glm::vec3> parse_contrast(std::string_view text) {
     const auto parts = split(text, ',');
     if (parts.size() != 3) return std::nullopt;

@@ -41,6 +41,7 @@ template <std::uint32_t max> std::optional<std::uint32_t> parse_square(std::stri
 
 std::optional<glm::uvec2> parse_size(std::string_view text);    // 1280x720
 std::optional<Rect> parse_rect(std::string_view text);          // X,Y,W,H
+std::optional<glm::uvec2> parse_pixel(std::string_view text);   // X,Y
 std::optional<FrameRange> parse_range(std::string_view text);   // A:B
 std::optional<glm::vec3> parse_contrast(std::string_view text); // R,G,B in [0, 1]
 std::optional<glm::vec2> parse_filter(std::string_view text);   // R or R,SIGMA: radius and sigma

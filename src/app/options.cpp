@@ -10,16 +10,15 @@
 namespace lightbench {
 namespace {
 
-// One option of the command line. `belongs` names what it is for, where this version lacks that; then its value is not looked at.
+// One option of the command line.
 struct OptionRow {
     const char* flag;
     const char* value; // how the help calls it; null: a switch
     const char* help;
-    const char* belongs = nullptr;
 };
 
 constexpr OptionRow kOptions[] = {
-    {"--method", "METHOD", "how light is computed: raster, raytrace (radiosity: not in this version)"},
+    {"--method", "METHOD", "how light is computed: raster, raytrace, radiosity"},
     {"--shading", "MODE", "where the model is evaluated: flat, gouraud, phong (default)"},
     {"--subdivide", "N", "refinement levels of every surface, 0 to 8"},
     {"--size", "WxH", "pixels; default the scene's [film], else 1280x720"},
@@ -48,12 +47,16 @@ constexpr OptionRow kOptions[] = {
     {"--opaque-shadows", nullptr, "what one can see through casts shadows all the same"},
     {"--accel", "NAME", "structure that rays walk through: none, bvh (default), sphere-bvh, grid, octree"},
     {"--accel-param", "k=v", "of the structure: leaf=N, cells=L,M,N, density=X, depth=N, builder=host|device; several, with commas or again"},
-    {"--hemicube", "N", "", "--method radiosity"},
-    {"--patch", "SIZE", "", "--method radiosity"},
-    {"--solver", "NAME", "", "--method radiosity"},
-    {"--shots", "N", "", "--method radiosity"},
-    {"--until", "X", "", "--method radiosity"},
-    {"--no-ambient", nullptr, "", "--method radiosity"},
+    {"--hemicube", "N", "pixels along an edge of a hemi-cube, even, 8 to 1024; default 64"},
+    {"--patch", "SIZE", "longest edge of a patch, which sends light, metres"},
+    {"--element", "SIZE", "longest edge of an element, which receives light, metres; default a quarter of --patch"},
+    {"--solver", "NAME", "of radiosity: progressive (default), or full: all form factors at once"},
+    {"--shots", "N", "progressive: at most so many"},
+    {"--until", "X", "progressive: until this share of the light is unshot; default 0.001"},
+    {"--no-ambient", nullptr, "without an ambient term for the light that is still unshot"},
+    {"--solution", "FILE", "radiosity: goes on from what this file holds, if it exists, and keeps the solution in it"},
+    {"--feed-lights", nullptr, "lights without area feed the surfaces even where some glow"},
+    {"--form-factors", "NAME", "corrected (default): analytic where surfaces are near; hemicube: without that"},
 };
 
 struct Parser {
@@ -84,13 +87,8 @@ struct Parser {
     }
 };
 
-void refuse_later(Parser& p) {
-    for (const OptionRow& row : kOptions)
-        if (row.belongs && p.has(row.flag)) p.problem(row.flag, fmt::format("belongs to {}, which is not in this version", row.belongs));
-}
-
 void parse_choices(Parser& p, SceneOptions& o) {
-    if (const auto i = p.choice("--method", {"raster", "raytrace"}, {"radiosity"})) o.request.method = static_cast<Method>(*i);
+    if (const auto i = p.choice("--method", {"raster", "raytrace", "radiosity"}, {})) o.request.method = static_cast<Method>(*i);
     if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"}, {}))
         o.request.accel = static_cast<Structure>(*i);
     if (const auto i = p.choice("--filter", {"box", "gaussian"}, {})) o.request.filter = static_cast<Filter>(*i);
@@ -147,6 +145,38 @@ void parse_samples(Parser& p, Request& r) {
             [&](glm::vec2 f) { r.filter_width = f.x, r.filter_sigma = f.y; });
 }
 
+std::optional<unsigned> parse_hemicube(std::string_view text) {
+    const auto n = parse_unsigned<1024>(text);
+    return n && *n >= 8 && *n % 2 == 0 ? n : std::nullopt;
+}
+
+std::optional<double> parse_length(std::string_view text) {
+    const auto length = parse_whole<double>(text);
+    return length && *length > 0 && std::isfinite(*length) ? length : std::nullopt;
+}
+
+std::optional<double> parse_share(std::string_view text) {
+    const auto share = parse_number<0, 1>(text);
+    return share && *share > 0 && *share < 1 ? share : std::nullopt;
+}
+
+void parse_radiosity(Parser& p, const Request& request, RadiosityParameters& r) {
+    const char* length = "a length in metres, above 0";
+    p.value("--hemicube", parse_hemicube, "an even number from 8 to 1024", [&](unsigned n) { r.hemicube = n; });
+    p.value("--patch", parse_length, length, [&](double x) { r.patch = x; });
+    p.value("--element", parse_length, length, [&](double x) { r.element = x; });
+    p.value("--shots", parse_unsigned<0xffffffffu>, "a whole number from 0 to 4294967295", [&](unsigned n) { r.shots = n; });
+    p.value("--until", parse_share, "a share between 0 and 1", [&](double x) { r.until = x; });
+    if (const auto i = p.choice("--solver", {"progressive", "full"}, {})) r.solver = static_cast<Solver>(*i);
+    if (const auto i = p.choice("--form-factors", {"corrected", "hemicube"}, {})) r.correct_near = *i == 0;
+    r.ambient = !p.has("--no-ambient"), r.feed = p.has("--feed-lights");
+    if (r.solver == Solver::full && p.has("--element"))
+        p.problem("--element", "belongs to --solver progressive: with the full matrix every patch is one element");
+    for (const char* flag : {"--hemicube", "--patch", "--element", "--solver", "--shots", "--until", "--no-ambient", "--feed-lights",
+                             "--solution", "--show", "--pick", "--form-factors"})
+        if (p.has(flag) && request.method != Method::radiosity) p.problem(flag, "belongs to --method radiosity");
+}
+
 void parse_frames(Parser& p, SceneOptions& o) {
     p.value("--frame", parse_integer, "a whole number", [&](int n) { o.request.frame = n; });
     p.value("--frames", parse_range, "A:B, whole numbers with A <= B and at most 100000 frames",
@@ -167,14 +197,13 @@ void declare_scene_options(CLI::App& sub, Given& given) {
            "SCENE", [&given](const std::string& text) { given["SCENE"] = text; }, "scene file")
         ->required();
     for (const OptionRow& row : kOptions) {
-        const std::string help = row.belongs ? fmt::format("not in this version ({})", row.belongs) : row.help;
         const std::string flag = row.flag;
         if (row.value == nullptr)
             sub.add_flag_callback(
-                flag, [&given, flag] { given[flag] = ""; }, help);
+                flag, [&given, flag] { given[flag] = ""; }, row.help);
         else {
             CLI::Option* option = sub.add_option_function<std::string>(
-                flag, [&given, flag](const std::string& text) { given[flag] = text; }, help);
+                flag, [&given, flag](const std::string& text) { given[flag] = text; }, row.help);
             option->type_name(row.value);
             if (flag == "--accel-param") option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
         }
@@ -186,12 +215,13 @@ SceneOptions parse_scene_options(const Given& given, Problems& problems) {
     Parser parser{given, problems};
     options.scene = parser.text("SCENE");
     parse_choices(parser, options);
-    refuse_later(parser);
     parse_image(parser, options.request);
     parse_samples(parser, options.request);
     parse_rays(parser, options.request);
+    parse_radiosity(parser, options.request, options.request.radiosity);
     parse_frames(parser, options);
     options.device = parser.text("--device"), options.stats = parser.text("--stats");
+    options.solution = parser.text("--solution");
     options.count = parser.has("--count"), options.quiet = parser.has("--quiet"), options.allow_outside = parser.has("--allow-outside");
     return options;
 }

@@ -30,8 +30,9 @@ struct SceneOptions {
     bool allow_outside = false;
     Request request;
     std::optional<FrameRange> frames;
-    std::string device; // empty: by itself
-    std::string stats;  // file, "-" or empty
+    std::string device;   // empty: by itself
+    std::string solution; // file of --method radiosity, or empty
+    std::string stats;    // file, "-" or empty
     bool count = false, quiet = false;
     Progress progress = Progress::automatic;
 };

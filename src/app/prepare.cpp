@@ -20,6 +20,7 @@ Prepared prepare(Scene& scene, Request request) {
     const View view = result.completed->view;
     request.size = view.size;
     Facts facts = gather_facts(scene);
+    facts.headlight = result.completed->headlight;
     add_view(facts, scene, view);
     const Plan first = decide(facts, request);
     Prepared prepared{view, {}, tessellate(scene, tessellation_for(first, view))};

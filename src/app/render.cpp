@@ -79,24 +79,29 @@ void report(const Run& run, const std::string& path, const RenderOutput& output,
         fmt::format("{}: {}x{}, {:.1f} ms on the device", path, plan.crop.size.x, plan.crop.size.y, output.device_milliseconds));
 }
 
-// Rays take their time: what they have come to is shown, and Ctrl-C keeps it.
+// Rays and radiosity take their time: what they have come to is shown, and Ctrl-C keeps it.
 RenderOutput trace_watched(Run& run, Renderer& renderer, const View& view, const std::string& path) {
     const Interrupt interrupt;
     int shown = -1;
     RenderOptions options;
+    options.solution = run.options.solution;
     options.stop = [] { return Interrupt::came(); };
     options.progress = [&](double share) { run.messages.bar(share, shown); };
     if (run.messages.shows_progress()) options.pass = [&](const RenderOutput& so_far) { write_output(path, so_far); };
     RenderOutput output = renderer.render(view, options);
     run.messages.clear_bar(shown);
-    run.interrupted = output.done < 1;
+    run.interrupted = output.done < 1 || output.stopped;
     write_output(path, output);
-    if (run.interrupted) run.messages.say(fmt::format("interrupted: {} holds {:.0f} % of the picture", path, 100 * output.done));
+    if (output.stopped) {
+        run.messages.say(fmt::format("interrupted: {} shows the light after {} shots, {:.2g} of it unshot", path, output.radiosity->shots,
+                                     output.radiosity->unshot));
+    } else if (run.interrupted)
+        run.messages.say(fmt::format("interrupted: {} holds {:.0f} % of the picture", path, 100 * output.done));
     return output;
 }
 
 RenderOutput render_and_write(Run& run, Renderer& renderer, const Prepared& prepared, const std::string& path) {
-    if (prepared.plan.method == Method::raytrace) return trace_watched(run, renderer, prepared.view, path);
+    if (prepared.plan.method != Method::raster) return trace_watched(run, renderer, prepared.view, path);
     RenderOutput output = renderer.render(prepared.view);
     write_output(path, output);
     return output;

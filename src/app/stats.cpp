@@ -59,6 +59,16 @@ ordered_json accel_json(const RenderOutput& output) {
     return {{"bytes", a.bytes}, {"nodes", a.nodes}, {"references", a.references}, {"depth", a.depth}};
 }
 
+ordered_json radiosity_json(const RenderOutput& output) {
+    if (!output.radiosity) return nullptr;
+    const RadiosityStatistics& r = *output.radiosity;
+    ordered_json curve = ordered_json::array();
+    for (const auto& p : r.curve) curve.push_back({{"shots", p.shots}, {"unshot", p.unshot}, {"device", p.milliseconds}});
+    return {{"patches", r.patches}, {"elements", r.elements},           {"shots", r.shots},
+            {"unshot", r.unshot},   {"closure_error", r.closure_error}, {"device", r.milliseconds},
+            {"curve", curve}};
+}
+
 } // namespace
 
 std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::DeviceInfo& device, const RenderOutput& output) {
@@ -75,7 +85,7 @@ std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::Device
     json["rays"] = rays_json(run.counting, output.rays.value_or(RayStatistics{}));
     json["tests"] = tests_json(run.counting, output.rays.value_or(RayStatistics{}));
     json["accel"] = accel_json(output);
-    json["radiosity"] = nullptr;
+    json["radiosity"] = radiosity_json(output);
     json["triangles"] = {{"scene", plan.triangles.value_or(0)}, {"drawn", output.triangles_drawn}};
     json["memory"] = {{"device_peak", run.device_peak}, {"host_peak", host_peak()}};
     json["image"] = {{"non_finite", output.non_finite}, {"done", output.done}};

@@ -173,12 +173,13 @@ CompleteResult complete(Scene& scene, const Request& request) {
     if (!result.problems.empty()) return result;
     if (request.frame) turn(*camera, *request.frame, notes);
     const View view = view_of(*camera, size, sphere.radius, notes);
-    if (scene.lights.empty()) {
+    const bool dark = scene.lights.empty() && !(request.method == Method::radiosity && gather_facts(scene).emissive_materials > 0);
+    if (dark) {
         scene.lights.push_back(headlight(view));
         notes.push_back({"light", "the scene has none: a headlight, directional along the view, Ip 1"});
     }
     for (const std::string& remark : scene.remarks) notes.push_back({"file", remark});
-    result.completed = Completed{view, std::move(notes)};
+    result.completed = Completed{view, std::move(notes), dark};
     return result;
 }
 

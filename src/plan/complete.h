@@ -32,6 +32,7 @@ constexpr int kTurntableFrames = 120;
 struct Completed {
     View view;
     std::vector<Line> notes;
+    bool headlight = false; // was added
 };
 
 // Adds to `scene` what it lacks (camera, light), chooses the camera that `request` names, turns it by the turntable's frame.

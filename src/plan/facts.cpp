@@ -51,6 +51,7 @@ void count_detail(const Material& material, Facts& facts) {
 void count_material(const Material& material, Facts& facts) {
     ++facts.materials;
     facts.diffuse_materials += any(material.diffuse);
+    facts.white_materials += glm::any(glm::greaterThan(material.diffuse, glm::vec3(kMostReflectance)));
     facts.specular_materials += any(material.specular);
     facts.emissive_materials += any(material.emission);
     count_model(material, facts);

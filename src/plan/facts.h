@@ -12,6 +12,9 @@ namespace lightbench {
 
 struct RasterGeometry;
 
+// Of radiosity: the series of what walls send each other needs 1 / (1 - rho) as many terms.
+constexpr float kMostReflectance = 0.999f;
+
 // What only the tessellation tells.
 struct GeometryFacts {
     std::size_t vertices = 0, triangles = 0, polygons = 0, surfaces = 0;
@@ -26,8 +29,9 @@ struct Facts {
     std::size_t materials = 0;                                                         // that an object uses
     std::size_t materials_listed = 0;                                                  // that the scene has
     std::size_t diffuse_materials = 0, specular_materials = 0, emissive_materials = 0;
-    std::size_t phong_materials = 0, gaussian_materials = 0, beckmann_materials = 0;                     // with ks > 0
-    std::size_t picture_materials = 0, checker_materials = 0, alpha_materials = 0;                       // with such a texture
+    std::size_t white_materials = 0;                                                 // with kd above kMostReflectance in a channel
+    std::size_t phong_materials = 0, gaussian_materials = 0, beckmann_materials = 0; // with ks > 0
+    std::size_t picture_materials = 0, checker_materials = 0, alpha_materials = 0;   // with such a texture
     std::size_t wave_materials = 0, noise_materials = 0, height_materials = 0, normal_map_materials = 0; // with such a bump
     std::size_t environment_materials = 0;                                                               // that mirror it
     std::array<std::size_t, 4> mappings{}; // objects whose texture or bump picture is mapped so, by Mapping
@@ -42,6 +46,7 @@ struct Facts {
     std::size_t two_sided_objects = 0;   // some face is seen from behind
     std::size_t pictures = 0;
     bool ambient = false, background = false, environment_map = false, six_faces = false, camera = false, film = false;
+    bool headlight = false;                // the only light was added to a scene without any
     bool own_normals = false;              // some mesh or polygon came with normals
     std::optional<EnvironmentCubes> cubes; // of a scene without a map, once the view is known
     std::optional<GeometryFacts> geometry; // once tessellated

@@ -1,5 +1,7 @@
 #include "plan/passes.h"
 
+#include "plan/radiosity.h"
+
 #include "shared/effects.h"
 #include "shared/rays.h"
 
@@ -187,7 +189,12 @@ std::string image_of(const Plan& plan) {
 }
 
 std::vector<Pass> candidate_passes(const Plan& plan, const Names& lit_reads) {
-    return plan.method == Method::raytrace ? ray_passes(plan, lit_reads) : raster_passes(plan, lit_reads);
+    if (plan.method == Method::raytrace) return ray_passes(plan, lit_reads);
+    if (plan.method == Method::raster) return raster_passes(plan, lit_reads);
+    std::vector<Pass> passes = radiosity_passes(plan);
+    if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
+    passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
+    return passes;
 }
 
 std::vector<Pass> walk_back(std::vector<Pass> candidates, Names wanted) {

@@ -3,6 +3,7 @@
 
 #include "plan/effects.h"
 #include "plan/passes.h"
+#include "plan/radiosity.h"
 #include "scene/distribution.h"
 #include "shared/effects.h"
 #include "shared/layouts.h"
@@ -18,8 +19,10 @@ namespace {
 std::vector<std::string> decide_effects(const Facts& facts, const Request& request, Plan& plan) {
     std::set<std::string> reads;
     for (const Effect& effect : effects()) {
-        const Verdict verdict = effect.wanted(facts, request);
         const std::string name(effect.name);
+        Verdict verdict = effect.wanted(facts, request);
+        if (request.method == Method::radiosity && verdict.wanted)
+            if (const std::string why = left_out_by_radiosity(effect.name, facts, request.radiosity); !why.empty()) verdict = {false, why};
         if (!verdict.wanted) {
             plan.skipped.push_back({name, verdict.reason});
         } else if (effect.bit == 0 && (effect.ray_bit == 0 || request.method != Method::raytrace)) {
@@ -35,7 +38,7 @@ std::vector<std::string> decide_effects(const Facts& facts, const Request& reque
 }
 
 void decide_lights(const Facts& facts, const Request& request, Plan& plan) {
-    if (!is_lit(facts, request)) return;
+    if (!is_lit(facts, request) || request.method == Method::radiosity) return;
     plan.light_count = facts.lights <= kFewLights ? static_cast<std::uint32_t>(facts.lights) : 0;
     if (request.method == Method::raster) plan.light_passes = (facts.lights + kLightsPerPass - 1) / kLightsPerPass;
 }
@@ -44,7 +47,7 @@ void decide_lights(const Facts& facts, const Request& request, Plan& plan) {
 void decide_samples(const Request& request, Plan& plan) {
     // Layers are listed one sample a pixel.
     const bool few = request.spp == 1 || (request.spp == 4 && !(plan.effects & EFFECT_TRANSPARENCY));
-    const bool hardware = request.method == Method::raster && request.sampling == Sampling::none && few;
+    const bool hardware = request.method != Method::raytrace && request.sampling == Sampling::none && few;
     plan.multisamples = hardware ? request.spp : 1;
     plan.frames = hardware ? 1 : request.spp;
     plan.jittered = request.sampling == Sampling::jittered;
@@ -131,6 +134,8 @@ std::string structure_reason(const Plan& plan) {
 // Describes one resource by its name.
 Resource describe(const std::string& name, const Facts& facts, const Plan& plan) {
     if (name == "structure") return {name, 0, structure_reason(plan)};
+    if (name == "elements" || name == "form-factors" || name == "radiosity")
+        return {name, 0, name == "form-factors" ? "a number an element, for each hemi-cube of a submission" : "sized by the elements"};
     if (request_rays(name)) return {name, 0, "sized by the scene's primitives and by the rays of a batch"};
     if (name == "lights") return table(name, facts.lights, sizeof(gpu_layout::Light));
     if (name == "materials") return table(name, facts.geometry ? facts.geometry->surfaces : 0, sizeof(gpu_layout::Material));
@@ -185,7 +190,12 @@ std::vector<std::string> effect_names(const Plan& plan) {
     return names;
 }
 
-Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes) {
+Plan decide(const Facts& facts, const Request& asked, std::vector<Line> notes) {
+    Request request = asked;
+    if (const Verdict verdict = radiosity_verdict(facts, request.radiosity); asked.method == Method::radiosity && !verdict.wanted) {
+        notes.push_back({"radiosity", fmt::format("{}: drawn by the rasteriser", verdict.reason)});
+        request.method = Method::raster;
+    }
     Plan plan;
     plan.method = request.method, plan.shading = request.shading, plan.output = request.output;
     plan.size = request.size.value_or(plan.size);
@@ -195,6 +205,7 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
     plan.sampling = request.sampling, plan.contrast = request.contrast, plan.max_level = request.max_level;
     plan.exposure = request.exposure, plan.seed = request.seed, plan.subdivide = request.subdivide;
     plan.lights = facts.lights;
+    plan.radiosity = request.radiosity;
     plan.fallbacks = std::move(notes);
     note_geometry(facts, plan);
     note_roughness(facts, plan);
@@ -204,6 +215,7 @@ Plan decide(const Facts& facts, const Request& request, std::vector<Line> notes)
         plan.fallbacks.push_back({"shading", "gouraud: rays meet points, not vertices; normals are interpolated as with phong"});
     if (request.method != Method::raytrace && request.filter == Filter::gaussian)
         plan.fallbacks.push_back({"filter", "gaussian: the rasteriser's is a box, one pixel wide"});
+    if (plan.method == Method::radiosity) note_radiosity(facts, plan);
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
     decide_cubes(facts, plan);

@@ -49,6 +49,7 @@ struct Plan {
     Sampling sampling = Sampling::none;
     glm::vec3 contrast{0};
     unsigned max_level = 0;
+    RadiosityParameters radiosity{};
     unsigned multisamples = 1; // 1 or 4, per drawn frame
     unsigned frames = 1;       // shifted frames that are averaged
     bool jittered = false;     // their shifts are jittered, else a regular grid

@@ -30,6 +30,23 @@ struct AccelParameters {
     unsigned depth = 0;  // of the octree at most
 };
 
+enum class Solver { progressive, full };
+enum class Show { light, patches, form_factors, hemicube }; // of radiosity
+
+// 0: chosen by what cuts the surfaces.
+struct RadiosityParameters {
+    unsigned hemicube = 64;        // pixels along an edge, even, 8 to 1024
+    double patch = 0, element = 0; // metres: longest edges
+    Solver solver = Solver::progressive;
+    std::optional<unsigned> shots; // at most; absent: until that little is unshot
+    double until = 0.001;          // of what is emitted, (0, 1)
+    bool ambient = true;           // S31, for display only
+    Show show = Show::light;
+    std::optional<glm::uvec2> pick; // pixel whose patch is shown
+    bool feed = false;              // lights without area feed scenes that glow, too
+    bool correct_near = true;       // analytic form factors where a hemi-cube is wrong (Baum, Rushmeier, Winget 1989)
+};
+
 struct Request {
     Method method = Method::raster;
     Shading shading = Shading::phong;
@@ -56,6 +73,8 @@ struct Request {
     float filter_width = 1.5f, filter_sigma = 0.5f; // of the Gaussian: radius and sigma, pixels
     glm::vec3 contrast{0.25f, 0.2f, 0.4f};          // S26
     unsigned max_level = 2;                         // of adaptive sampling: a pixel is split in 4 at most so many times
+
+    RadiosityParameters radiosity;
 };
 
 } // namespace lightbench

@@ -121,6 +121,15 @@ void record_background(gpu::Recorder& recorder, const Plan& plan, GpuScene& scen
 
 } // namespace
 
+gpu::RenderTargets cleared_targets(const Plan& plan, RasterTargets& targets, glm::vec3 background, bool last) {
+    return render_targets(plan, targets, background, true, last);
+}
+
+void record_map(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterPipelines& pipelines, RasterTargets& targets,
+                const RasterDraw& draw) {
+    record_background(recorder, plan, scene, pipelines, targets, draw, true);
+}
+
 gpu::Groups groups_for(std::uint32_t invocations) {
     const std::uint32_t groups = std::max((invocations + 63) / 64, 1u), rows = (groups + 65534) / 65535;
     return {rows > 1 ? 65535u : groups, rows};

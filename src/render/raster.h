@@ -58,6 +58,13 @@ struct RasterDraw {
 std::size_t record_raster(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterGeometry& geometry,
                           const RasterVariant& variant, const RasterPipelines& pipelines, RasterTargets& targets, const RasterDraw& draw);
 
+// The targets of a drawing that clears them; `last`: nothing is drawn over it.
+gpu::RenderTargets cleared_targets(const Plan& plan, RasterTargets& targets, glm::vec3 background, bool last);
+
+// The environment behind what is drawn, the last of a drawing.
+void record_map(gpu::Recorder& recorder, const Plan& plan, GpuScene& scene, const RasterPipelines& pipelines, RasterTargets& targets,
+                const RasterDraw& draw);
+
 // One drawing of what is translucent, behind nothing opaque: into no color target; what its fragments do is up to the pipelines.
 struct TranslucentDraw {
     std::string name;

@@ -3,11 +3,8 @@
 
 #include "gpu/recorder.h"
 #include "image/display.h"
-#include "render/display.h"
-#include "render/layers.h"
-#include "render/raster.h"
-#include "render/raytrace.h"
-#include "render/sampling.h"
+#include "render/radiosity/run.h"
+#include "render/renderer_state.h"
 #include "render/terms.h"
 #include "shared/effects.h"
 #include "shared/rays.h"
@@ -18,41 +15,7 @@
 
 namespace lightbench {
 
-struct RendererState {
-    gpu::Device& device;
-    const RasterGeometry& geometry;
-    Plan plan;
-    Environment environment;
-    GpuScene scene;
-    gpu::Recorder recorder;
-    RasterTargets targets; // of the image
-    RasterTargets single;  // of layers that must not be averaged; made when first needed
-    gpu::Image sum;        // of frames and pieces; none if there is one of both
-    Display display;
-    std::map<RasterVariant, RasterPipelines> pipelines;
-    Layers layers;
-    gpu::Timings times; // of what was submitted on the way
-    std::optional<RayTracer> tracer;
-    std::optional<WideFilter> filter;
-    std::optional<Lattice> lattice;
-};
-
 namespace {
-
-// Frames of a regular n x n grid within the pixel, or jittered within its cells: the shift of frame i.
-glm::dvec2 shift_of(const Plan& plan, unsigned i) {
-    const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(plan.frames))));
-    if (n <= 1) return glm::dvec2(0);
-    const glm::dvec2 cell(i % n, i / n);
-    const glm::dvec2 within = plan.jittered ? jitter(plan.seed, i) : glm::dvec2(0.5);
-    return (cell + within) / double(n) - 0.5;
-}
-
-const RasterPipelines& pipelines_for(RendererState& s, const RasterVariant& variant) {
-    auto [it, made] = s.pipelines.try_emplace(variant);
-    if (made) it->second = make_raster_pipelines(s.device, s.plan, s.scene, s.geometry, variant);
-    return it->second;
-}
 
 struct Drawing {
     RasterVariant variant;
@@ -102,14 +65,6 @@ gpu::Image& record_drawing(RendererState& s, const View& view, const Drawing& dr
     return whole ? s.sum : targets.resolved;
 }
 
-vk::Rect2D rect_of(const Rect& crop) {
-    return {{static_cast<std::int32_t>(crop.offset.x), static_cast<std::int32_t>(crop.offset.y)}, {crop.size.x, crop.size.y}};
-}
-
-ImageF read_crop(RendererState& s, gpu::Image& image) {
-    return {s.plan.crop.size.x, s.plan.crop.size.y, gpu::read_image<float>(s.device, image, rect_of(s.plan.crop))};
-}
-
 void add_times(RenderOutput& out, const gpu::Timings& timings) {
     for (const auto& [name, ms] : timings) {
         auto it = std::ranges::find(out.times, name, &StepTime::name);
@@ -119,22 +74,6 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
             it->milliseconds += ms;
         out.device_milliseconds += ms;
     }
-}
-
-// Pixels or radiance of the crop, as the plan asks.
-void read_output(RendererState& s, gpu::Image& image, RenderOutput& out) {
-    if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
-    const gpu::Timings last = s.recorder.submit_and_wait();
-    s.times.insert(s.times.end(), last.begin(), last.end());
-    if (s.plan.runs("display")) {
-        out.pixels = read_pixels(s.device, s.display, s.plan.crop);
-        out.non_finite = read_census(s.device, s.display);
-        return;
-    }
-    out.radiance = read_crop(s, image);
-    if (s.filter) // whose sum of weights is nobody's opacity
-        for (std::size_t i = 3; i < out.radiance->rgba.size(); i += 4) out.radiance->rgba[i] = 1;
-    out.non_finite = count_non_finite(*out.radiance);
 }
 
 // Frame i of a tracer: one sample a pixel, or as many as it takes. False: stopped early.
@@ -179,7 +118,10 @@ RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& 
     RenderOutput out;
     const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background, "raster", true};
     s.times.clear();
-    gpu::Image& image = s.tracer ? record_rays(s, view, options, out) : record_drawing(s, view, drawing, out.triangles_drawn);
+    if (s.plan.runs("unfold")) return show_hemicube(s, view, out), add_times(out, s.times), out;
+    gpu::Image& image = s.tracer      ? record_rays(s, view, options, out)
+                        : s.radiosity ? run_radiosity(s, view, options, out)
+                                      : record_drawing(s, view, drawing, out.triangles_drawn);
     read_output(s, image, out);
     if (s.scene.cube_milliseconds > 0) add_times(out, {{"environment-cube", s.scene.cube_milliseconds}});
     add_times(out, s.times);
@@ -235,9 +177,11 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry
                                {},
                                {},
                                {},
+                               {},
                                {}}) {
     if (plan.has("sum")) state_->sum = make_sum(device, plan.size);
     if (plan.method == Method::raytrace) state_->tracer = make_ray_tracer(device, scene, geometry, plan);
+    if (plan.method == Method::radiosity) state_->radiosity.emplace(device, scene, plan, state_->scene);
     if (plan.runs("filter")) state_->filter = make_wide_filter(device, plan);
     if (plan.runs("lattice-pixels")) state_->lattice = make_lattice(device, plan, *state_->tracer);
     state_->display = make_display(device, plan);
@@ -249,7 +193,7 @@ Renderer::~Renderer() = default;
 RenderOutput Renderer::render(const View& view, const RenderOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     RenderOutput out = run_image(*state_, view, options);
-    if (out.done < 1) return out;
+    if (out.done < 1 || out.stopped || state_->radiosity) return out;
     if (options.warm_up && std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) out = run_image(*state_, view, options);
     for (const std::string& name : state_->plan.terms) out.layers.push_back(run_layer(*state_, view, name));
     return out;

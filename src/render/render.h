@@ -35,6 +35,20 @@ struct AccelStatistics {
     std::uint32_t depth = 0;
 };
 
+// Of --method radiosity.
+struct RadiosityStatistics {
+    std::size_t patches = 0, elements = 0;
+    std::uint64_t shots = 0;  // full matrix: sweeps
+    double unshot = 1;        // share of what is emitted
+    double closure_error = 0; // largest |1 - sum of a row|
+    double milliseconds = 0;  // device, of solving
+    struct Point {
+        std::uint64_t shots = 0;
+        double unshot = 1, milliseconds = 0;
+    };
+    std::vector<Point> curve; // one a submission
+};
+
 struct RenderOutput {
     std::optional<Image8> pixels;   // Output::pixels; the crop
     std::optional<ImageF> radiance; // Output::radiance; the crop
@@ -45,16 +59,19 @@ struct RenderOutput {
     std::size_t triangles_drawn = 0;   // after culling
     std::optional<RayStatistics> rays; // with Request::count
     std::optional<AccelStatistics> accel;
-    double done = 1; // share of the image; below 1 only if it was stopped
+    std::optional<RadiosityStatistics> radiosity;
+    bool stopped = false; // radiosity: before the plan was met; the image is whole all the same
+    double done = 1;      // share of the image; below 1 only if it was stopped
 };
 
 struct RenderOptions {
     // Runs everything once before the run that is timed: drivers compile at the first draw. Left out if that first run passes a second.
     bool warm_up = false;
-    // Of --method raytrace; each may be empty.
+    // Of --method raytrace and radiosity; each may be empty.
     std::function<void(double)> progress; // the share that is done, now and then
     std::function<bool()> stop;           // asked now and then; true: what there is becomes the image, black where there is nothing
-    std::function<void(const RenderOutput&)> pass; // the image so far, after every frame but the last
+    std::function<void(const RenderOutput&)> pass; // the image so far, after every frame but the last; of radiosity, now and then
+    std::string solution;                          // of --method radiosity: a file that it goes on from, if there is one, and that keeps it
 };
 
 // What the plan needs of the tessellation: streams that nobody reads are not made.

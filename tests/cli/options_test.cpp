@@ -16,7 +16,6 @@ struct BadOption {
 };
 
 const BadOption kBad[] = {
-    {{"--method", "radiosity"}, "--method: radiosity is not in this version"},
     {{"--method", "voodoo"}, "--method: \"voodoo\" is unknown; it must be raster"},
     {{"--shading", "fong"}, "--shading: \"fong\" is unknown; it must be flat, gouraud or phong"},
     {{"--sampling", "adaptive"}, "--sampling: adaptive sampling needs rays: --method raytrace"},
@@ -65,6 +64,14 @@ const BadOption kBad[] = {
     {{"--depth", "256"}, "--depth: \"256\" must be a whole number from 1 to 255"},
     {{"--cutoff", "1.5"}, "--cutoff: \"1.5\" must be a weight from 0 to 1"},
     {{"--accel", "kd-tree"}, "--accel: \"kd-tree\" is unknown"},
+    {{"--method", "radiosity", "--hemicube", "51"}, "--hemicube: \"51\" must be an even number from 8 to 1024"},
+    {{"--method", "radiosity", "--patch", "0"}, "--patch: \"0\" must be a length in metres, above 0"},
+    {{"--method", "radiosity", "--patch", "inf"}, "--patch: \"inf\""},
+    {{"--method", "radiosity", "--until", "1"}, "--until: \"1\" must be a share between 0 and 1"},
+    {{"--method", "radiosity", "--until", "nan"}, "--until: \"nan\""},
+    {{"--method", "radiosity", "--shots", "-1"}, "--shots: \"-1\" must be a whole number"},
+    {{"--method", "radiosity", "--solver", "magic"}, "--solver: \"magic\" is unknown; it must be progressive or full"},
+    {{"--method", "radiosity", "--solver", "full", "--element", "1"}, "--element: belongs to --solver progressive"},
     {{"--hemicube", "50"}, "--hemicube: belongs to --method radiosity"},
     {{"--patch", "0.1"}, "--patch: belongs to --method radiosity"},
     {{"--solver", "full"}, "--solver: belongs to --method radiosity"},
