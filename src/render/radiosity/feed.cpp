@@ -12,10 +12,9 @@ constexpr std::uint32_t kArriving = EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGH
 
 gpu::ComputePipeline pipeline_for(HemicubeState& s, const Plan& plan, const GpuScene& scene) {
     gpu::Constants constants = s.constants();
-    for (auto& [id, value] : constants)
-        if (id == CONSTANT_FETCH_STORAGE) value |= scene.fetch_storage;
-    constants.insert(constants.end(),
-                     {{CONSTANT_EFFECTS, plan.effects & kArriving}, {CONSTANT_SHADING, SHADING_PHONG}, {CONSTANT_OUTPUT, OUTPUT_RADIANCE}});
+    constants[CONSTANT_FETCH_STORAGE] |= scene.fetch_storage;
+    constants[CONSTANT_EFFECTS] = plan.effects & kArriving;
+    constants[CONSTANT_SHADING] = SHADING_PHONG, constants[CONSTANT_OUTPUT] = OUTPUT_RADIANCE;
     return gpu::make_compute(s.device, find_shader("radiosity/feed.comp"), constants, sizeof(gpu_layout::RayPush));
 }
 
@@ -40,8 +39,9 @@ std::vector<glm::vec3> feed(gpu::Device& device, gpu::Recorder& recorder, Hemicu
     const gpu::Timings now = recorder.submit_and_wait();
     times.insert(times.end(), now.begin(), now.end());
     hemicubes.check();
+    const auto words = gpu::download_all<float>(device, irradiance);
     std::vector<glm::vec3> out;
-    for (const glm::vec4& h : gpu::download_all<glm::vec4>(device, irradiance)) out.emplace_back(h);
+    for (std::size_t i = 0; i < words.size(); i += 4) out.emplace_back(words[i], words[i + 1], words[i + 2]);
     return out;
 }
 

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 #include <numeric>
+#include <utility>
 
 namespace lightbench {
 
