@@ -54,6 +54,8 @@ constexpr OptionRow kOptions[] = {
     {"--shots", "N", "progressive: at most so many"},
     {"--until", "X", "progressive: until this share of the light is unshot; default 0.001"},
     {"--no-ambient", nullptr, "without an ambient term for the light that is still unshot"},
+    {"--show", "WHAT", "of radiosity: light (default), patches, form-factors or hemicube (of the patch that --pick names)"},
+    {"--pick", "X,Y", "the pixel whose patch is shown"},
     {"--solution", "FILE", "radiosity: goes on from what this file holds, if it exists, and keeps the solution in it"},
     {"--feed-lights", nullptr, "lights without area feed the surfaces even where some glow"},
     {"--form-factors", "NAME", "corrected (default): analytic where surfaces are near; hemicube: without that"},
@@ -169,6 +171,10 @@ void parse_radiosity(Parser& p, const Request& request, RadiosityParameters& r) 
     p.value("--until", parse_share, "a share between 0 and 1", [&](double x) { r.until = x; });
     if (const auto i = p.choice("--solver", {"progressive", "full"}, {})) r.solver = static_cast<Solver>(*i);
     if (const auto i = p.choice("--form-factors", {"corrected", "hemicube"}, {})) r.correct_near = *i == 0;
+    if (const auto i = p.choice("--show", {"light", "patches", "form-factors", "hemicube"}, {})) r.show = static_cast<Show>(*i);
+    p.value("--pick", parse_pixel, "X,Y, a pixel, like 320,180", [&](glm::uvec2 pixel) { r.pick = pixel; });
+    if ((r.show == Show::form_factors || r.show == Show::hemicube) && !p.has("--pick"))
+        p.problem("--show", "--pick X,Y must say of which patch");
     r.ambient = !p.has("--no-ambient"), r.feed = p.has("--feed-lights");
     if (r.solver == Solver::full && p.has("--element"))
         p.problem("--element", "belongs to --solver progressive: with the full matrix every patch is one element");
