@@ -1,7 +1,7 @@
 // The solvers' tables: made from values, read back as values. Inside this room only.
 #pragma once
 
-#include "gpu/buffer.h"
+#include "gpu/recorder.h"
 
 namespace lightbench {
 
@@ -17,6 +17,12 @@ template <class T> std::vector<T> read_table(gpu::Device& device, gpu::Buffer& b
     std::vector<T> values(buffer.size() / sizeof(T));
     gpu::download(device, buffer, std::as_writable_bytes(std::span(values)));
     return values;
+}
+
+// The offer of one table for FETCH_TABLE(name, ...): the pipeline takes what it was specialised for.
+inline void offer_solve_table(gpu::Bindings& bindings, std::string_view name, std::string_view as_storage, gpu::Buffer& buffer) {
+    bindings.emplace_back(name, buffer);
+    bindings.emplace_back(as_storage, buffer);
 }
 
 } // namespace lightbench
