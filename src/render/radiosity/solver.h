@@ -10,16 +10,20 @@
 
 namespace lightbench {
 
-// Per element, RGB; radiosity (power per area), not radiance.
+// Per element, RGB; radiosity (power per area), not radiance. Covered elements have none.
 struct RadiosityState {
-    std::vector<glm::vec3> radiosity; // B
-    std::vector<glm::vec3> unshot;    // dB
-    std::vector<glm::vec3> received;  // H, irradiance
-    std::uint64_t shots = 0;
+    std::vector<glm::vec3> radiosity;                      // B = E + rho H; follows from H, so set_state() does not read it
+    std::vector<glm::vec3> unshot;                         // dB
+    std::vector<glm::vec3> received;                       // H, irradiance
+    std::vector<glm::vec3> unshot_carry, received_carry{}; // what the last rounding took from the two; empty: 0
+    glm::dvec3 escaped{0};                                 // Ledger's
+    std::uint64_t shots = 0;                               // of patches
 };
 
+// emitted = absorbed + unshot + escaped, whatever was shot and however (RS-4).
 struct Ledger {
-    glm::dvec3 emitted{0}, absorbed{0}, unshot{0}; // sums of area times E, (1 - rho) H, dB (RS-4)
+    glm::dvec3 emitted{0}, absorbed{0}, unshot{0}; // sums of area times E, (1 - rho) H, dB
+    glm::dvec3 escaped{0};                         // what rows that sum to less than 1 let out of the scene
     double unshot_fraction() const;                // largest of the channels that are emitted at all; 0 if nothing is
 };
 
@@ -35,16 +39,19 @@ class ProgressiveSolver {
     ~ProgressiveSolver();
 
     gpu::Buffer& chosen(); // uint each: the patches that the last record_choice() chose, or kNoElement
-    // The patches of largest unshot energy, at most `batch` and at most `most` of them, all of them different.
+    // The patches of largest unshot energy (area times dB, the channels' sum), at most `batch` and at most `most` of them, all different;
+    // of equal ones the lowest numbers, the largest energy first.
     void record_choice(gpu::Recorder& recorder, unsigned most);
-    // S30 for the chosen patches, in their order: dB_i += rho_i dB_j F_ji A_j / A_i; what they had is shot. Sums are compensated (RS-8).
+    // S30 for the patches of the last choice: dB_i += rho_i dB_j F_ji A_j / A_i; what they had is shot. All of a batch shoot what they had
+    // when they were chosen; what they receive from each other is unshot afterwards. Each element adds up in the order of choice, and sums
+    // are compensated (RS-8). Rows above 1 are brought down to 1 (RS-1). A row's entries begin at its number times the elements.
     void record_shots(gpu::Recorder& recorder, gpu::Buffer& rows);
-    // After submission.
+    // After submission. The ledger is cheap: its sums are there, one a patch.
     Ledger ledger();
     unsigned last_shots(); // how many of the chosen ones really shot
     RadiosityState state();
     void set_state(const RadiosityState& state); // goes on bit for bit where it was left
-    // S31: to be added to what is displayed, times rho_i.
+    // S31: to be added to what is displayed, times rho_i. Goes to 0 with what is unshot.
     glm::vec3 ambient();
 
   private:

@@ -1,0 +1,28 @@
+// The solvers' tables: made from values, read back as values. Inside this room only.
+#pragma once
+
+#include "gpu/recorder.h"
+
+namespace lightbench {
+
+// T: a struct of whole texels. Not empty.
+template <class T> gpu::Buffer make_table(gpu::Device& device, const char* name, const std::vector<T>& values) {
+    gpu::Buffer buffer = gpu::make_texel_buffer(device, name, values.size() * sizeof(T));
+    gpu::upload(device, buffer, std::as_bytes(std::span(values)));
+    return buffer;
+}
+
+// As gpu::download_all(), which does not know that glm's vectors are plain bytes.
+template <class T> std::vector<T> read_table(gpu::Device& device, gpu::Buffer& buffer) {
+    std::vector<T> values(buffer.size() / sizeof(T));
+    gpu::download(device, buffer, std::as_writable_bytes(std::span(values)));
+    return values;
+}
+
+// The offer of one table for FETCH_TABLE(name, ...): the pipeline takes what it was specialised for.
+inline void offer_solve_table(gpu::Bindings& bindings, std::string_view name, std::string_view as_storage, gpu::Buffer& buffer) {
+    bindings.emplace_back(name, buffer);
+    bindings.emplace_back(as_storage, buffer);
+}
+
+} // namespace lightbench
