@@ -42,14 +42,14 @@ struct HemicubeView {
 const uint kHemicubeViewTexels = 5u;
 
 // Specialisation constants of hemi-cubes, besides those of the ray tracer; tables that may be storage buffers.
-#define CONSTANT_RESOLUTION 16        // pixels along a face's edge
-#define CONSTANT_NEAR_RAYS 17         // from an element to a patch that is near
-#define FETCH_SHOOTERS 0x10000u
-#define FETCH_RECEIVERS 0x20000u
-#define FETCH_HEMICUBE_VIEWS 0x40000u
-#define FETCH_HEMICUBE_ITEMS 0x80000u
-#define FETCH_HEMICUBE_DELTAS 0x100000u
-#define FETCH_ELEMENT_CORNERS 0x200000u
+#define CONSTANT_RESOLUTION 24        // pixels along a face's edge
+#define CONSTANT_NEAR_RAYS 25         // from an element to a patch that is near
+#define FETCH_SHOOTERS 0x20000u
+#define FETCH_RECEIVERS 0x40000u
+#define FETCH_HEMICUBE_VIEWS 0x80000u
+#define FETCH_HEMICUBE_ITEMS 0x100000u
+#define FETCH_HEMICUBE_DELTAS 0x200000u
+#define FETCH_ELEMENT_CORNERS 0x400000u
 
 // Analytic form factors replace those of the hemi-cube where an element lies nearer than this many sizes of the patch (twice its radius).
 // There a square's centre stands for all of it with an error of 1.3 % (HC-3); at two sizes it is 7 %.
