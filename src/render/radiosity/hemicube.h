@@ -42,6 +42,8 @@ class Hemicubes {
     // The items of the last record()'s hemi-cube `index`, as shaders/shared/radiosity.h orders them: for pictures and tests.
     std::vector<std::uint32_t> items(unsigned index);
 
+    HemicubeState& state() { return *state_; } // for this room
+
   private:
     std::unique_ptr<HemicubeState> state_;
 };
