@@ -58,13 +58,15 @@ float aim(HemicubeView v, Receiver r, uint s, out vec3 way) {
     vec2 at = fract(0.5 + vec2(0.7548777, 0.5698403) * float(round));
     Quad k = read_quad(v.first + m);
     vec3 normal = read_receiver(v.first + m).normal;
-    vec3 low = mix(k.q[0], k.q[1], at.x), high = mix(k.q[3], k.q[2], at.x), p = mix(low, high, at.y);
-    vec3 along = mix(k.q[1] - k.q[0], k.q[2] - k.q[3], at.y);
+    // On the two triangles that rays are tested against: a quadrilateral that is not quite flat lies before or behind them.
+    bool first = at.x >= at.y;
+    vec3 along = first ? k.q[1] - k.q[0] : k.q[2] - k.q[3], up = first ? k.q[2] - k.q[1] : k.q[3] - k.q[0];
+    vec3 p = k.q[0] + at.x * along + at.y * up;
     vec3 reach = max(max(abs(k.q[0] - p), abs(k.q[1] - p)), max(abs(k.q[2] - p), abs(k.q[3] - p)));
     vec3 error = gamma(8.0) * (abs(p) + reach) + gamma(6.0) * max(reach.x, max(reach.y, reach.z)); // as above_surface() has it
     way = offset_origin(p, error, normal, normal) - r.center;
     float square = max(dot(way, way), 1.17549435e-38);
-    return max(dot(way, r.normal), 0.0) * max(-dot(way, normal), 0.0) * length(cross(along, high - low)) / (square * square);
+    return max(dot(way, r.normal), 0.0) * max(-dot(way, normal), 0.0) * length(cross(along, up)) / (square * square);
 }
 
 // True if all walks came to an end. In: the receiver. Out: weight of what rays reach, and of all they were sent to.

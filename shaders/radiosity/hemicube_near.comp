@@ -22,7 +22,7 @@ void main() {
     HemicubeView v = read_view(cube);
     Receiver r = read_receiver(element);
     vec3 way = r.center - v.center;
-    bool near = dot(way, way) < (kNearSizes * kNearSizes * 4.0) * v.radius * v.radius;
+    bool near = dot(way, way) < (push.near_sizes * push.near_sizes * 4.0) * v.radius * v.radius;
     // Some of the patch lies above the element's horizon, and the element is not behind all of the patch.
     bool facing = dot(way, r.normal) < v.radius && dot(way, v.normal) > -v.radius;
     bool other = element - v.first >= v.count && r.covered == 0u && v.patch_number != kNoElement;

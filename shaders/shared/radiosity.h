@@ -60,6 +60,7 @@ struct HemicubePush {
     uint count;    // invocations of a layer
     uint elements; // of the mesh
     uint cube, face; // of a drawing: which hemi-cube of the batch, which of its five faces
+    float near_sizes; // elements nearer than so many sizes of a patch get analytic form factors
 };
 
 // A hemi-cube's items: uint each, top n * n, then the sides +tangent, -tangent, +bitangent, -bitangent, n / 2 rows of n each from the horizon
@@ -68,7 +69,7 @@ struct HemicubePush {
 
 #ifdef __cplusplus
 static_assert(sizeof(Receiver) == 16 * kReceiverTexels && sizeof(Shooter) == 16 * kShooterTexels &&
-              sizeof(HemicubeView) == 16 * kHemicubeViewTexels && sizeof(HemicubePush) == 16);
+              sizeof(HemicubeView) == 16 * kHemicubeViewTexels && sizeof(HemicubePush) == 20);
 } // namespace lightbench::gpu_layout
 #endif
 

@@ -40,7 +40,15 @@ Scene scene_of(const ExhibitRow& row, const ShotRow& shot) {
     return std::get<Scene>(std::move(made));
 }
 
+std::string radiosity_options(const RadiosityShot& shot) {
+    std::string options = fmt::format("--method radiosity --shots {}", *shot.shots);
+    if (shot.element > 0) options += fmt::format(" --patch {}", 4 * shot.element);
+    if (shot.show == Show::patches) options += " --show patches";
+    return options;
+}
+
 std::string render_options_of(const ShotRow& shot) {
+    if (shot.radiosity.shots) return radiosity_options(shot.radiosity);
     if (shot.rays.depth == 0) return fmt::format("--shading {}", name_of(shot.shading));
     std::string options = fmt::format("--method raytrace --depth {}", shot.rays.depth);
     if (shot.rays.cutoff > 0) options += fmt::format(" --cutoff {}", shot.rays.cutoff);
@@ -64,6 +72,11 @@ struct Taken {
 Request request_of(const ShotRow& shot, glm::uvec2 size) {
     Request request;
     request.shading = shot.shading, request.size = size;
+    if (shot.radiosity.shots) {
+        request.method = Method::radiosity;
+        request.radiosity.shots = shot.radiosity.shots, request.radiosity.show = shot.radiosity.show;
+        request.radiosity.element = shot.radiosity.element, request.radiosity.patch = 4 * shot.radiosity.element;
+    }
     if (shot.rays.depth == 0) return request;
     request.method = Method::raytrace;
     request.depth = shot.rays.depth, request.cutoff = shot.rays.cutoff, request.spp = shot.rays.spp;

@@ -25,7 +25,21 @@ const std::vector<ExhibitRow>& exhibit_rows() {
           {"Gouraud", "default-gouraud", gouraud},
           {"Phong", "default-phong", phong},
           {"rays from the eye and to the lights: shadows", "default-shadows", phong, {}, {1}},
-          {"and mirrored ones: the ray tree, 5 levels", "default-rays", phong, {}, {5, 0, 1, true}}}},
+          {"and mirrored ones: the ray tree, 5 levels", "default-rays", phong, {}, {5, 0, 1, true}},
+          {"radiosity: what the surfaces send each other", "default-radiosity", phong, {}, {}, {300}}}},
+        {"Radiosity",
+         "The Cornell box. Its lamp has an area, its walls light each other: the red one colors the block beside it, shadows are soft, and "
+         "what the rasteriser and the ray tracer call ambient light is found out. Each patch shoots what light it has, the brightest "
+         "first; "
+         "the first pictures are already right on average, since what is not shot yet is spread over the room.",
+         made("cornell-box"),
+         -1,
+         {{"Phong, with a light in place of the lamp", "cornell-phong", phong},
+          {"rays, with the same light", "cornell-rays", phong, {}, {2}},
+          {"the patches", "cornell-patches", phong, {}, {}, {0, Show::patches}},
+          {"radiosity, after 1 shot", "cornell-1", phong, {}, {}, {1}},
+          {"after 32 shots", "cornell-32", phong, {}, {}, {32}},
+          {"after 500 shots", "cornell-500", phong, {}, {}, {500}}}},
         {"Glass",
          "The ball shows the floor upside down, the box mirrors where it is seen at a grazing angle, the prism's edges have colors, the "
          "pane "

@@ -4,6 +4,7 @@
 #include "plan/request.h"
 #include "scene/make.h"
 
+#include <optional>
 #include <vector>
 
 namespace lightbench {
@@ -16,12 +17,20 @@ struct RayShot {
     bool counted = false; // rendered once more, untimed, for the number of rays of each kind
 };
 
+// Radiosity instead, if `shots` is not empty.
+struct RadiosityShot {
+    std::optional<unsigned> shots{};
+    Show show = Show::light;
+    double element = 0; // metres
+};
+
 struct ShotRow {
     const char* caption;
     const char* file; // without extension
     Shading shading;
     MakeArguments arguments = {};
     RayShot rays = {};
+    RadiosityShot radiosity = {};
 };
 
 // One of the two is null.

@@ -83,7 +83,8 @@ void record_rays(gpu::Recorder& recorder, HemicubeState& s) {
 void record_views(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& chosen) {
     gpu::Bindings bindings{{"Chosen", chosen}, {"Views", s.views}};
     offer_table(bindings, "shooters", s.shooters);
-    recorder.compute("hemicube-views", s.view_pass, bindings, HemicubePush{s.request.batch, s.elements, 0, 0}, groups_for(s.request.batch));
+    recorder.compute("hemicube-views", s.view_pass, bindings, HemicubePush{s.request.batch, s.elements, 0, 0, 0},
+                     groups_for(s.request.batch));
 }
 
 void record_sum(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows) {
@@ -94,7 +95,7 @@ void record_sum(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows) {
     const std::uint32_t lines = 3 * s.request.resolution;
     gpu::Groups groups = groups_for(lines);
     groups.z = s.request.batch;
-    recorder.compute("hemicube-sum", s.sum_pass, bindings, HemicubePush{lines, s.elements, 0, 0}, groups);
+    recorder.compute("hemicube-sum", s.sum_pass, bindings, HemicubePush{lines, s.elements, 0, 0, 0}, groups);
     s.expected += lines * s.request.batch;
 }
 
@@ -158,7 +159,7 @@ gpu::Buffer Hemicubes::make_rows(const char* name) const {
     return gpu::make_texel_buffer(state_->device, name, (bytes + 15) / 16 * 16);
 }
 
-void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows) {
+void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes) {
     HemicubeState& s = *state_;
     CHECK(chosen.size() >= s.request.batch * sizeof(std::uint32_t), "{}", chosen.name());
     CHECK(rows.size() >= std::uint64_t{s.request.batch} * s.elements * sizeof(std::uint32_t), "{}", rows.name());
@@ -166,7 +167,7 @@ void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer
     recorder.fill(rows, 0);
     s.request.way == HemicubeWay::rays ? record_rays(recorder, s) : record_faces(recorder, s);
     record_sum(recorder, s, rows);
-    if (s.request.correct_near) record_near(recorder, s, rows);
+    if (s.request.correct_near) record_near(recorder, s, rows, near_sizes);
 }
 
 void Hemicubes::check() {

@@ -36,7 +36,8 @@ class Hemicubes {
     gpu::Buffer make_rows(const char* name = "rows") const;
     // For the patches whose numbers stand in `chosen` (uint each, request.batch of them; kNoElement: none, its row is 0). A patch does not see
     // itself (HC-10). Deterministic.
-    void record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows);
+    // With correct_near: elements nearer than `near_sizes` sizes of a patch are corrected.
+    void record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes = gpu_layout::kNearSizes);
     // After submission: EnvironmentError if a ray spent its steps, abort if the driver left out work. Until then rows are not to be trusted.
     void check();
     // The items of the last record()'s hemi-cube `index`, as shaders/shared/radiosity.h orders them: for pictures and tests.

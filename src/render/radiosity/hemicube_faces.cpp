@@ -47,7 +47,7 @@ void record_face(gpu::Recorder& recorder, HemicubeState& s, std::uint32_t cube, 
     pass.index_buffer = &s.faces.indices;
     offer_table(pass.bindings, "views", s.views);
     recorder.draw("hemicube-face", pass, [&](gpu::DrawContext& d) {
-        d.push(HemicubePush{0, s.elements, cube, face});
+        d.push(HemicubePush{0, s.elements, cube, face, 0});
         d.draw_indexed(s.faces.index_count);
     });
 }

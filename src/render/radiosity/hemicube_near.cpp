@@ -30,14 +30,14 @@ void make_near_passes(HemicubeState& s) {
     s.near_count = gpu::make_buffer(s.device, "near-count", 4, storage);
 }
 
-void record_near(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows) {
+void record_near(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows, float near_sizes) {
     recorder.fill(s.near_count, 0);
     gpu::Bindings near{{"Counters", s.counters}, {"NearCount", s.near_count}, {"NearList", s.near_list}};
     offer_table(near, "views", s.views);
     offer_table(near, "receivers", s.receivers);
     gpu::Groups groups = groups_for(s.elements);
     groups.z = s.request.batch;
-    recorder.compute("hemicube-near", s.near_pass, near, HemicubePush{s.elements, s.elements, 0, 0}, groups);
+    recorder.compute("hemicube-near", s.near_pass, near, HemicubePush{s.elements, s.elements, 0, 0, near_sizes}, groups);
     gpu::Bindings correct =
         s.with_structure({{"Counters", s.counters}, {"NearCount", s.near_count}, {"NearList", s.near_list}, {"Rows", rows}});
     offer_table(correct, "views", s.views);

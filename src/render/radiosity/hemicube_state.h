@@ -46,6 +46,6 @@ HemicubeFaces make_faces(HemicubeState& state, const HemicubeMesh& mesh);
 void record_faces(gpu::Recorder& recorder, HemicubeState& state);
 
 void make_near_passes(HemicubeState& state);
-void record_near(gpu::Recorder& recorder, HemicubeState& state, gpu::Buffer& rows);
+void record_near(gpu::Recorder& recorder, HemicubeState& state, gpu::Buffer& rows, float near_sizes);
 
 } // namespace lightbench

@@ -28,6 +28,7 @@ struct RadiosityParts {
     gpu::Buffer rows{};
     std::optional<FullSolution> full{};
     RadiosityStatistics statistics{};
+    std::uint64_t sources = 0; // patches that glow by themselves
     gpu::Timings feed_times{}; // until a run tells of them
     ElementDrawing drawing{};
 };
@@ -35,6 +36,10 @@ struct RadiosityParts {
 namespace {
 
 constexpr unsigned kBatch = 16; // hemi-cubes a submission
+
+// A lamp's light is most of what there is, and its shadows are seen: all that it shines on gets analytic form factors, by so many rays to it.
+// Later shots are many and weak: only what lies beside them.
+constexpr float kFirstNear = 1e6f, kLaterNear = 1.0f;
 
 PatchRequest patches_for(const RadiosityParameters& p) {
     PatchRequest request;
@@ -87,10 +92,11 @@ bool shoot(RadiosityParts& p, gpu::Recorder& recorder, gpu::Timings& times) {
     const std::uint64_t left = p.parameters.shots ? *p.parameters.shots - std::min<std::uint64_t>(s.shots, *p.parameters.shots) : kBatch;
     if (left == 0 || s.unshot <= p.parameters.until) return false;
     p.solver->record_choice(recorder, static_cast<unsigned>(std::min<std::uint64_t>(left, kBatch)));
-    p.hemicubes->record(recorder, p.solver->chosen(), p.rows);
+    p.hemicubes->record(recorder, p.solver->chosen(), p.rows, s.shots < p.sources ? kFirstNear : kLaterNear);
     p.solver->record_shots(recorder, p.rows);
     const gpu::Timings now = recorder.submit_and_wait();
     append(times, now);
+    p.hemicubes->check();
     const unsigned shot = p.solver->last_shots();
     s.shots += shot;
     note_progress(p, now);
@@ -121,10 +127,11 @@ gpu::Buffer full_matrix(RadiosityParts& p, gpu::Recorder& recorder, gpu::Timings
         std::vector<std::uint32_t> numbers(std::min<std::size_t>(kBatch, n - first));
         std::iota(numbers.begin(), numbers.end(), first);
         gpu::Buffer chosen = chosen_patches(p, numbers);
-        p.hemicubes->record(recorder, chosen, p.rows);
+        p.hemicubes->record(recorder, chosen, p.rows, kLaterNear);
         recorder.copy(p.rows, matrix, row * std::min<std::uint64_t>(kBatch, n - first), 0, row * first);
         const gpu::Timings now = recorder.submit_and_wait();
         append(times, now);
+        p.hemicubes->check();
         p.statistics.milliseconds += milliseconds_of(now);
     }
     return matrix;
@@ -150,6 +157,7 @@ Radiosity::Radiosity(gpu::Device& device, const Scene& scene, const Plan& plan, 
     p.hemicubes.emplace(device, p.mesh, HemicubeRequest{p.parameters.hemicube, kBatch, HemicubeWay::rays, p.parameters.correct_near});
     p.rows = p.hemicubes->make_rows();
     if (p.parameters.show != Show::light) return;
+    for (const Patch& patch : p.mesh.patches) p.sources += p.light.emission[patch.first] != glm::vec3(0);
     if (plan.runs("feed")) {
         gpu::Recorder recorder(device);
         const auto fed = feed(device, recorder, *p.hemicubes, p.mesh.elements.size(), plan, gpu_scene, p.feed_times);
