@@ -39,6 +39,9 @@ vec3 gauss_point(Quad k, uint i, out float weight) {
     return mix(low, high, at.y);
 }
 
+// Of a patch that lies partly under something else, the rest sends.
+bool is_open(uint element) { return read_receiver(element).covered == 0u; }
+
 // From a point of the receiver to one of the patch's elements. A height is off by gamma(6) of what it is made of, and both points by u:
 // within 16 u one lies in the plane of the other, and sees nothing of it (HC-10).
 float to_element(vec3 p, vec3 n, uint element) {
@@ -47,7 +50,9 @@ float to_element(vec3 p, vec3 n, uint element) {
     vec3 a = k.q[0] - p, b = k.q[1] - p, c = k.q[2] - p, d = k.q[3] - p;
     float least = gamma(16.0) * (size_of(p) + max(max(size_of(a), size_of(b)), max(size_of(c), size_of(d))));
     float f = point_to_quad(n, a, b, c, d, least);
-    return -dot(normal, a) > least ? f : 0.0;
+    // Before all of its corners: of one that is not quite flat, the other side lies before some.
+    float height = -max(max(dot(normal, a), dot(normal, b)), max(dot(normal, c), dot(normal, d)));
+    return height > least && is_open(element) ? f : 0.0;
 }
 
 // The s-th point of the patch as seen from the receiver: a ray to it, of length 1, and what it weighs in the integral. Points lie in all
@@ -65,6 +70,7 @@ float aim(HemicubeView v, Receiver r, uint s, out vec3 way) {
     vec3 reach = max(max(abs(k.q[0] - p), abs(k.q[1] - p)), max(abs(k.q[2] - p), abs(k.q[3] - p)));
     vec3 error = gamma(8.0) * (abs(p) + reach) + gamma(6.0) * max(reach.x, max(reach.y, reach.z)); // as above_surface() has it
     way = offset_origin(p, error, normal, normal) - r.center;
+    if (!is_open(v.first + m)) return 0.0;
     float square = max(dot(way, way), 1.17549435e-38);
     return max(dot(way, r.normal), 0.0) * max(-dot(way, normal), 0.0) * length(cross(along, up)) / (square * square);
 }

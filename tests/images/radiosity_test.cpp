@@ -31,7 +31,7 @@ Scene furnace(float radiance, float rho) {
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             Polygon face;
-            for (const glm::dvec2 corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
+            for (const glm::dvec2& corner : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
                 glm::dvec3 p;
                 p[axis] = side, p[(axis + 1) % 3] = corner.x, p[(axis + 2) % 3] = corner.y;
                 face.points.push_back(p);
@@ -103,7 +103,7 @@ TEST(Radiosity, TheCornellBoxIsThatOfAPathTracer) {
 }
 
 TEST(Radiosity, AKilledRunGoesOnBitByBit) {
-    const std::string path = (std::filesystem::path(TempDir()) / "resume_test.lbrad").string();
+    const std::string path = (std::filesystem::path(::testing::TempDir()) / "resume_test.lbrad").string();
     std::filesystem::remove(path);
     Scene scene = made("cornell-box");
     const auto render = [&](unsigned shots, const std::string& solution) {

@@ -89,7 +89,9 @@ TEST(FormFactors, TablesAreWhatIsIntegrated) {
             const double x = -1 + side * (i + 0.5), y = -1 + side * (j + 0.5), z = side * (j + 0.5), r = x * x + y * y + 1;
             EXPECT_NEAR(exact.top[j * n + i], area / (std::numbers::pi * r * r), 1e-4 * area);
             const double s = x * x + z * z + 1;
-            if (j < n / 2) EXPECT_NEAR(exact.side[j * n + i], z * area / (std::numbers::pi * s * s), 1e-4 * area);
+            if (j < n / 2) {
+                EXPECT_NEAR(exact.side[j * n + i], z * area / (std::numbers::pi * s * s), 1e-4 * area);
+            }
         }
 }
 

@@ -13,6 +13,7 @@ namespace {
 using namespace testing;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::Not;
 
 Request with(Shading shading, Output output = Output::pixels) {

@@ -122,11 +122,29 @@ Receiver receiver_of(const PatchMesh& mesh, const Element& e) {
     return r;
 }
 
+// What of a patch sends light: what is not covered. If some is, the hemi-cube stands on the element next to the middle of the rest.
+struct Open {
+    glm::dvec3 center;
+    double area;
+};
+
+Open open_part(const PatchMesh& mesh, const Patch& p) {
+    const auto elements = std::span(mesh.elements).subspan(p.first, p.count);
+    glm::dvec3 sum(0);
+    double area = 0;
+    for (const Element& e : elements)
+        if (!e.covered) sum += e.area * e.center, area += e.area;
+    if (area == 0 || std::ranges::none_of(elements, &Element::covered)) return {p.center, p.area};
+    const auto far = [&](const Element& e) { return e.covered ? 1e300 : glm::length(e.center - sum / area); };
+    return {std::ranges::min_element(elements, {}, far)->center, area};
+}
+
 Shooter shooter_of(const PatchMesh& mesh, std::uint32_t i) {
     const Patch& p = mesh.patches[i];
+    const Open open = open_part(mesh, p);
     Shooter s{};
-    s.center = above_surface(mesh, std::span(mesh.elements).subspan(p.first, p.count), p.center, p.normal);
-    s.area = static_cast<float>(p.area), s.normal = glm::vec3(p.normal), s.radius = static_cast<float>(p.radius);
+    s.center = above_surface(mesh, std::span(mesh.elements).subspan(p.first, p.count), open.center, p.normal);
+    s.area = static_cast<float>(open.area), s.normal = glm::vec3(p.normal), s.radius = static_cast<float>(p.radius);
     s.tangent = glm::vec3(tangent_of(p.normal, i)), s.first = p.first, s.count = p.count;
     return s;
 }
