@@ -11,8 +11,11 @@
 #include "radiosity/hemicube_view.glsl"
 #include "radiosity/receivers.glsl"
 #include "lib/form_factor.glsl"
+#include "shared/solve.h"
 
 layout(constant_id = CONSTANT_NEAR_RAYS) const uint kNearRays = 16u;
+layout(constant_id = CONSTANT_SHARES) const uint kShares = 0u; // 1: there is a table of what elements have to shoot
+FETCH_TABLE(unshot, FETCH_UNSHOT, 64)
 FETCH_TABLE(element_corners, FETCH_ELEMENT_CORNERS, 60)
 layout(set = 0, binding = 56, scalar) buffer Rows { uint rows[]; };
 layout(set = 0, binding = 62, scalar) readonly buffer NearCount { uint near_count; };
@@ -39,8 +42,13 @@ vec3 gauss_point(Quad k, uint i, out float weight) {
     return mix(low, high, at.y);
 }
 
-// Of a patch that lies partly under something else, the rest sends.
-bool is_open(uint element) { return read_receiver(element).covered == 0u; }
+// What an element sends, by area: what it has to shoot, all channels together. A patch is not as bright everywhere: where a shadow falls on it
+// is seen by what is near. Without that all is alike, but for what lies under something else.
+float sent_by(uint element) {
+    if (kShares == 0u) return read_receiver(element).covered == 0u ? 1.0 : 0.0;
+    uint at = kSolveStateTexels * element;
+    return uintBitsToFloat(fetch_unshot(at).w) + uintBitsToFloat(fetch_unshot(at + 1u).w) + uintBitsToFloat(fetch_unshot(at + 2u).w);
+}
 
 // From a point of the receiver to one of the patch's elements. A height is off by gamma(6) of what it is made of, and both points by u:
 // within 16 u one lies in the plane of the other, and sees nothing of it (HC-10).
@@ -52,7 +60,7 @@ float to_element(vec3 p, vec3 n, uint element) {
     float f = point_to_quad(n, a, b, c, d, least);
     // Before all of its corners: of one that is not quite flat, the other side lies before some.
     float height = -max(max(dot(normal, a), dot(normal, b)), max(dot(normal, c), dot(normal, d)));
-    return height > least && is_open(element) ? f : 0.0;
+    return height > least ? f : 0.0;
 }
 
 // The s-th point of the patch as seen from the receiver: a ray to it, of length 1, and what it weighs in the integral. Points lie in all
@@ -70,9 +78,9 @@ float aim(HemicubeView v, Receiver r, uint s, out vec3 way) {
     vec3 reach = max(max(abs(k.q[0] - p), abs(k.q[1] - p)), max(abs(k.q[2] - p), abs(k.q[3] - p)));
     vec3 error = gamma(8.0) * (abs(p) + reach) + gamma(6.0) * max(reach.x, max(reach.y, reach.z)); // as above_surface() has it
     way = offset_origin(p, error, normal, normal) - r.center;
-    if (!is_open(v.first + m)) return 0.0;
     float square = max(dot(way, way), 1.17549435e-38);
-    return max(dot(way, r.normal), 0.0) * max(-dot(way, normal), 0.0) * length(cross(along, up)) / (square * square);
+    return max(dot(way, r.normal), 0.0) * max(-dot(way, normal), 0.0) * sent_by(v.first + m) * length(cross(along, up)) /
+           (square * square);
 }
 
 // True if all walks came to an end. In: the receiver. Out: weight of what rays reach, and of all they were sent to.
@@ -109,15 +117,18 @@ void main() {
         HemicubeView v = read_view(cube);
         Receiver r = read_receiver(element);
         Quad own = read_quad(element);
-        float sum = 0.0, weights = 0.0, weight, seen, sent;
+        // F(patch -> element) = A sum of F(element -> e) dB_e over sum of A_e dB_e, by reciprocity.
+        float sum = 0.0, weights = 0.0, energy = 0.0, weight, seen, sent;
         uint m = gl_SubgroupInvocationID;
         for (; m < 4u * v.count; m += gl_SubgroupSize) {
+            uint e = v.first + (m >> 2u);
             vec3 p = gauss_point(own, m & 3u, weight);
-            sum += weight * to_element(p, r.normal, v.first + (m >> 2u)), weights += weight;
+            float share = sent_by(e);
+            sum += weight * share * to_element(p, r.normal, e), weights += weight, energy += 0.25 * share * read_receiver(e).area;
         }
         done = look(v, r, seen, sent) && m >= 4u * v.count && done;
         float mean = subgroupAdd(sum) / max(subgroupAdd(weights), 1.17549435e-38) * float(v.count); // over points, summed over elements
-        float factor = min(mean * r.area / v.area, 1.0) * min(seen / max(sent, 1.17549435e-38), 1.0);
+        float factor = min(mean * r.area / max(subgroupAdd(energy), 1.17549435e-38), 1.0) * min(seen / max(sent, 1.17549435e-38), 1.0);
         if (subgroupElect() && sent > 0.0) rows[entry] = uint(factor * 2147483648.0 + 0.5);
     }
     count_unfinished(done && at >= listed);

@@ -50,6 +50,8 @@ const uint kHemicubeViewTexels = 5u;
 #define FETCH_HEMICUBE_ITEMS 0x100000u
 #define FETCH_HEMICUBE_DELTAS 0x200000u
 #define FETCH_ELEMENT_CORNERS 0x400000u
+#define FETCH_UNSHOT 0x800000u
+#define CONSTANT_SHARES 26            // 1: what each element has to shoot is told, as a table of SolveState (solve.h)
 
 // Analytic form factors replace those of the hemi-cube where an element lies nearer than this many sizes of the patch (twice its radius).
 // There a square's centre stands for all of it with an error of 1.3 % (HC-3); at two sizes it is 7 %.

@@ -136,7 +136,7 @@ TEST(Radiosity, LightsWithoutAreaFeedSurfaces) {
     scene.lights.push_back(point_light({0.3, 1, 0.2}, glm::vec3(2, 1, 0.5f), Attenuation::inverse_square));
     Request request = radiosity_request();
     const ImageF drawn = *render_scene(scene, radiance_request(Shading::phong)).output.radiance;
-    request.radiosity.element = 0.02, request.radiosity.patch = 0.1;
+    request.radiosity.element = 0.02, request.radiosity.patch = 0.1, request.radiosity.shots = 0, request.radiosity.ambient = false;
     const Rendered rendered = render_scene(scene, request);
     EXPECT_TRUE(rendered.plan.runs("feed"));
     double most = 0;

@@ -120,7 +120,8 @@ gpu::Constants HemicubeState::constants() const {
             {CONSTANT_STACK, stack},
             {CONSTANT_LOOSE, loose},
             {CONSTANT_RESOLUTION, request.resolution},
-            {CONSTANT_NEAR_RAYS, request.near_rays}};
+            {CONSTANT_NEAR_RAYS, request.near_rays},
+            {CONSTANT_SHARES, request.shares ? 1u : 0u}};
 }
 
 gpu::Bindings HemicubeState::with_structure(gpu::Bindings bindings) {
@@ -139,6 +140,7 @@ Hemicubes::Hemicubes(gpu::Device& device, const PatchMesh& mesh, const HemicubeR
     make_tables(s, made);
     if (s.traces()) upload_structure(s, made.primitives);
     if (request.correct_near) s.corners = table(s, "element-corners", made.corners, FETCH_ELEMENT_CORNERS);
+    if (std::uint64_t{s.elements} * kSolveStateTexels > device.info().max_texel_elements) s.fetch_storage |= FETCH_UNSHOT;
     make_pipelines(s);
     if (request.way == HemicubeWay::raster) s.faces = make_faces(s, made);
     if (request.correct_near) make_near_passes(s);
@@ -159,7 +161,7 @@ gpu::Buffer Hemicubes::make_rows(const char* name) const {
     return gpu::make_texel_buffer(state_->device, name, (bytes + 15) / 16 * 16);
 }
 
-void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes) {
+void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes, gpu::Buffer* unshot) {
     HemicubeState& s = *state_;
     CHECK(chosen.size() >= s.request.batch * sizeof(std::uint32_t), "{}", chosen.name());
     CHECK(rows.size() >= std::uint64_t{s.request.batch} * s.elements * sizeof(std::uint32_t), "{}", rows.name());
@@ -167,7 +169,7 @@ void Hemicubes::record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer
     recorder.fill(rows, 0);
     s.request.way == HemicubeWay::rays ? record_rays(recorder, s) : record_faces(recorder, s);
     record_sum(recorder, s, rows);
-    if (s.request.correct_near) record_near(recorder, s, rows, near_sizes);
+    if (s.request.correct_near) record_near(recorder, s, rows, near_sizes, unshot);
 }
 
 void Hemicubes::check() {

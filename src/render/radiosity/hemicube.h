@@ -17,6 +17,7 @@ struct HemicubeRequest {
     HemicubeWay way = HemicubeWay::rays;
     bool correct_near = false; // HC-3: elements nearer than five times a patch's size get analytic form factors with traced visibility
     unsigned near_rays = 16;   // of those, a square
+    bool shares = false;       // record() is told what each element has to shoot
 };
 
 struct HemicubeState;
@@ -36,8 +37,10 @@ class Hemicubes {
     gpu::Buffer make_rows(const char* name = "rows") const;
     // For the patches whose numbers stand in `chosen` (uint each, request.batch of them; kNoElement: none, its row is 0). A patch does not see
     // itself (HC-10). Deterministic.
-    // With correct_near: elements nearer than `near_sizes` sizes of a patch are corrected.
-    void record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes = gpu_layout::kNearSizes);
+    // With correct_near: elements nearer than `near_sizes` sizes of a patch are corrected; and if request.shares, by what `unshot`, a table
+    // of SolveState (shaders/shared/solve.h), says of each of its elements.
+    void record(gpu::Recorder& recorder, gpu::Buffer& chosen, gpu::Buffer& rows, float near_sizes = gpu_layout::kNearSizes,
+                gpu::Buffer* unshot = nullptr);
     // After submission: EnvironmentError if a ray spent its steps, abort if the driver left out work. Until then rows are not to be trusted.
     void check();
     // The items of the last record()'s hemi-cube `index`, as shaders/shared/radiosity.h orders them: for pictures and tests.

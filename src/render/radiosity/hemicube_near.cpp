@@ -30,7 +30,8 @@ void make_near_passes(HemicubeState& s) {
     s.near_count = gpu::make_buffer(s.device, "near-count", 4, storage);
 }
 
-void record_near(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows, float near_sizes) {
+void record_near(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows, float near_sizes, gpu::Buffer* unshot) {
+    CHECK((unshot != nullptr) == s.request.shares);
     recorder.fill(s.near_count, 0);
     gpu::Bindings near{{"Counters", s.counters}, {"NearCount", s.near_count}, {"NearList", s.near_list}};
     offer_table(near, "views", s.views);
@@ -43,6 +44,7 @@ void record_near(gpu::Recorder& recorder, HemicubeState& s, gpu::Buffer& rows, f
     offer_table(correct, "views", s.views);
     offer_table(correct, "receivers", s.receivers);
     offer_table(correct, "element_corners", s.corners);
+    if (unshot != nullptr) offer_table(correct, "unshot", *unshot);
     RayPush push{};
     push.count = correct_invocations(s), push.first = s.elements;
     recorder.compute("hemicube-correct", s.correct_pass, correct, push, groups_for(push.count));

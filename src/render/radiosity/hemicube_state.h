@@ -7,6 +7,7 @@
 #include "render/radiosity/hemicube_mesh.h"
 #include "shared/effects.h"
 #include "shared/rays.h"
+#include "shared/solve.h"
 
 namespace lightbench {
 
@@ -46,6 +47,6 @@ HemicubeFaces make_faces(HemicubeState& state, const HemicubeMesh& mesh);
 void record_faces(gpu::Recorder& recorder, HemicubeState& state);
 
 void make_near_passes(HemicubeState& state);
-void record_near(gpu::Recorder& recorder, HemicubeState& state, gpu::Buffer& rows, float near_sizes);
+void record_near(gpu::Recorder& recorder, HemicubeState& state, gpu::Buffer& rows, float near_sizes, gpu::Buffer* unshot);
 
 } // namespace lightbench

@@ -18,6 +18,8 @@
 
 namespace lightbench {
 
+constexpr unsigned kNearRays = 16;
+
 struct RadiosityParts {
     gpu::Device& device;
     RadiosityParameters parameters;
@@ -31,6 +33,10 @@ struct RadiosityParts {
     std::uint64_t sources = 0; // patches that glow by themselves
     gpu::Timings feed_times{}; // until a run tells of them
     ElementDrawing drawing{};
+
+    // What is near a patch is told of what each of its elements has to shoot.
+    bool shares() const { return parameters.correct_near && parameters.solver == Solver::progressive && parameters.show == Show::light; }
+    gpu::Buffer* unshot() { return shares() ? &solver->unshot() : nullptr; }
 };
 
 namespace {
@@ -92,7 +98,7 @@ bool shoot(RadiosityParts& p, gpu::Recorder& recorder, gpu::Timings& times) {
     const std::uint64_t left = p.parameters.shots ? *p.parameters.shots - std::min<std::uint64_t>(s.shots, *p.parameters.shots) : kBatch;
     if (left == 0 || s.unshot <= p.parameters.until) return false;
     p.solver->record_choice(recorder, static_cast<unsigned>(std::min<std::uint64_t>(left, kBatch)));
-    p.hemicubes->record(recorder, p.solver->chosen(), p.rows, s.shots < p.sources ? kFirstNear : kLaterNear);
+    p.hemicubes->record(recorder, p.solver->chosen(), p.rows, s.shots < p.sources ? kFirstNear : kLaterNear, p.unshot());
     p.solver->record_shots(recorder, p.rows);
     const gpu::Timings now = recorder.submit_and_wait();
     append(times, now);
@@ -154,7 +160,9 @@ Radiosity::Radiosity(gpu::Device& device, const Scene& scene, const Plan& plan, 
     p.statistics.elements = p.mesh.elements.size(), p.statistics.patches = p.mesh.patches.size();
     p.drawing = make_drawing(device, p.mesh, plan.multisamples, p.parameters.show != Show::light);
     if (p.mesh.elements.empty() || p.parameters.show == Show::patches) return;
-    p.hemicubes.emplace(device, p.mesh, HemicubeRequest{p.parameters.hemicube, kBatch, HemicubeWay::rays, p.parameters.correct_near});
+    p.hemicubes.emplace(
+        device, p.mesh,
+        HemicubeRequest{p.parameters.hemicube, kBatch, HemicubeWay::rays, p.parameters.correct_near, kNearRays, p.shares()});
     p.rows = p.hemicubes->make_rows();
     if (p.parameters.show != Show::light) return;
     for (const Patch& patch : p.mesh.patches) p.sources += p.light.emission[patch.first] != glm::vec3(0);

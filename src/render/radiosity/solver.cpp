@@ -158,6 +158,10 @@ ProgressiveSolver::ProgressiveSolver(gpu::Device& device, const PatchMesh& mesh,
 ProgressiveSolver::ProgressiveSolver(ProgressiveSolver&&) noexcept = default;
 ProgressiveSolver::~ProgressiveSolver() = default;
 
+gpu::Buffer& ProgressiveSolver::unshot() {
+    return state_->states[state_->now];
+}
+
 gpu::Buffer& ProgressiveSolver::chosen() {
     return state_->chosen;
 }

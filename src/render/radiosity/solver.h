@@ -38,6 +38,7 @@ class ProgressiveSolver {
     ProgressiveSolver(ProgressiveSolver&&) noexcept;
     ~ProgressiveSolver();
 
+    gpu::Buffer& unshot(); // a table of SolveState (shaders/shared/solve.h): what is there to shoot until record_shots()
     gpu::Buffer& chosen(); // uint each: the patches that the last record_choice() chose, or kNoElement
     // The patches of largest unshot energy (area times dB, the channels' sum), at most `batch` and at most `most` of them, all different;
     // of equal ones the lowest numbers, the largest energy first.
