@@ -24,10 +24,10 @@ enum class TreeBuilder { host, device };
 // 0: chosen by what builds the structure.
 struct AccelParameters {
     TreeBuilder builder = TreeBuilder::host; // bvh
-    unsigned leaf = 0;   // primitives of a leaf at most (bvh, sphere-bvh), of a voxel before it is split (octree)
-    glm::uvec3 cells{0}; // of the grid
-    double density = 0;  // cells of the grid a primitive
-    unsigned depth = 0;  // of the octree at most
+    unsigned leaf = 0;                       // primitives of a leaf at most (bvh, sphere-bvh), of a voxel before it is split (octree)
+    glm::uvec3 cells{0};                     // of the grid
+    double density = 0;                      // cells of the grid a primitive
+    unsigned depth = 0;                      // of the octree at most
 };
 
 enum class Solver { progressive, full };
