@@ -52,7 +52,10 @@ TEST_F(RadiosityRun, TellsOfItself) {
 }
 
 TEST_F(RadiosityRun, TheFullMatrixTellsHowClosedItIs) {
-    const json stats = stats_of({"--solver", "full", "--form-factors", "hemicube"});
+    const Ran ran = run({"render", box, "-o", in_folder("x.png"), "--method", "radiosity", "--size", "64x64", "--patch", "100", "--solver",
+                         "full", "--stats", "-"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const json stats = json::parse(ran.out);
     EXPECT_EQ(stats["radiosity"]["unshot"], 0);
     EXPECT_GT(stats["radiosity"]["closure_error"], 0.01); // the box is open in front
 }
