@@ -53,12 +53,6 @@ RayPrimitives media_of(const Scene& scene, const RasterGeometry& geometry, const
     return media;
 }
 
-// The narrow tree's planes are whole numbers; its first texels say of what.
-void prepend_planes(AccelTables& tables) {
-    const auto words = [](const glm::vec3& v) { return glm::uvec4(glm::floatBitsToUint(v), 0); };
-    tables.narrow.insert(tables.narrow.begin(), {words(tables.narrow_origin), words(tables.narrow_step)});
-}
-
 void note(RayScene& out, const gpu::Buffer& buffer, std::uint32_t bit) {
     if (buffer && !buffer.as_texel()) out.fetch_storage |= bit;
 }
@@ -88,6 +82,11 @@ void build_here(gpu::Device& device, RayScene& out, RayPrimitives& primitives, c
 }
 
 } // namespace
+
+void prepend_planes(AccelTables& tables) {
+    const auto words = [](const glm::vec3& v) { return glm::uvec4(glm::floatBitsToUint(v), 0); };
+    tables.narrow.insert(tables.narrow.begin(), {words(tables.narrow_origin), words(tables.narrow_step)});
+}
 
 RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan) {
     RayPrimitives primitives = ray_primitives(scene, geometry);

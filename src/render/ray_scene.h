@@ -19,6 +19,9 @@ struct RayScene {
     AccelTables accel;   // without its tables: what building it took
 };
 
+// The narrow tree's planes are whole numbers; its first texels say of what.
+void prepend_planes(AccelTables& tables);
+
 RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan);
 
 } // namespace lightbench

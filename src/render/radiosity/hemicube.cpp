@@ -5,6 +5,7 @@
 #include "radiosity/form_factors.h"
 #include "render/radiosity/hemicube_state.h"
 #include "render/raster.h"
+#include "render/ray_scene.h"
 #include "render/shaders.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ using namespace gpu_layout;
 
 template <class T> gpu::Buffer table(HemicubeState& s, const char* name, const std::vector<T>& values, std::uint32_t bit) {
     return hemicube_table(s, name, std::as_bytes(std::span(values)), bit);
-}
-
-// The narrow tree's planes are whole numbers; its first texels say of what.
-void prepend_planes(AccelTables& tables) {
-    const auto words = [](const glm::vec3& v) { return glm::uvec4(glm::floatBitsToUint(v), 0); };
-    tables.narrow.insert(tables.narrow.begin(), {words(tables.narrow_origin), words(tables.narrow_step)});
 }
 
 void upload_structure(HemicubeState& s, RayPrimitives& primitives) {

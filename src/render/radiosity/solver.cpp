@@ -2,6 +2,7 @@
 #include "render/radiosity/solver.h"
 
 #include "gpu/check.h"
+#include "render/gpu_scene.h"
 #include "render/radiosity/solver_tables.h"
 #include "render/shaders.h"
 #include "shared/effects.h"
@@ -109,9 +110,9 @@ void record_tally(SolverState& s, gpu::Recorder& recorder) {
     const TallyPush push{s.patch_count(), lanes_of_patch(s)};
     const std::uint32_t groups = (push.patches * push.lanes + kTallyLanes - 1) / kTallyLanes, wide = std::min(groups, 32768u);
     gpu::Bindings bindings{{"Tally", s.tally}};
-    offer_solve_table(bindings, "elements", "elements_storage", s.elements);
-    offer_solve_table(bindings, "state", "state_storage", s.states[s.now]);
-    offer_solve_table(bindings, "patches", "patches_storage", s.patches);
+    offer_table(bindings, "elements", s.elements);
+    offer_table(bindings, "state", s.states[s.now]);
+    offer_table(bindings, "patches", s.patches);
     recorder.compute("tally", s.sum_patches, bindings, push, {wide, (groups + wide - 1) / wide});
 }
 
@@ -172,7 +173,7 @@ void ProgressiveSolver::record_choice(gpu::Recorder& recorder, unsigned most) {
     const std::uint32_t rounds = s.patch_count() / kChooseLanes + 1;
     const ChoosePush push{s.patch_count(), s.batch, std::min(most, std::max(kMostRounds / rounds, 2u) - 1)};
     gpu::Bindings bindings{{"Chosen", s.chosen}, {"Shots", s.shots}};
-    offer_solve_table(bindings, "tally", "tally_storage", s.tally);
+    offer_table(bindings, "tally", s.tally);
     recorder.compute("choose", s.choose, bindings, push, {1});
     s.has_choice = true;
 }
@@ -184,13 +185,13 @@ void ProgressiveSolver::record_shots(gpu::Recorder& recorder, gpu::Buffer& rows)
     make_row_passes(s, rows);
     const ShootPush push{s.count(), s.batch};
     gpu::Bindings sums{{"Shots", s.shots}, {"Slots", s.slots}};
-    offer_solve_table(sums, "rows", "rows_storage", rows);
+    offer_table(sums, "rows", rows);
     recorder.compute("sum-rows", s.sum_rows, sums, push, {s.batch});
     gpu::Bindings shots{{"After", s.states[1 - s.now]}};
-    offer_solve_table(shots, "elements", "elements_storage", s.elements);
-    offer_solve_table(shots, "state", "state_storage", s.states[s.now]);
-    offer_solve_table(shots, "shots", "shots_storage", s.shots);
-    offer_solve_table(shots, "rows", "rows_storage", rows);
+    offer_table(shots, "elements", s.elements);
+    offer_table(shots, "state", s.states[s.now]);
+    offer_table(shots, "shots", s.shots);
+    offer_table(shots, "rows", rows);
     recorder.compute("shoot", s.shoot, shots, push, {(s.count() + kShootLanes - 1) / kShootLanes});
     s.now = 1 - s.now;
     s.has_choice = false;

@@ -1,5 +1,6 @@
 // Gauss-Seidel on the full matrix, in blocks of rows: a dispatch a block, several sweeps a submission.
 #include "gpu/check.h"
+#include "render/gpu_scene.h"
 #include "render/radiosity/solver.h"
 #include "render/radiosity/solver_tables.h"
 #include "render/shaders.h"
@@ -50,7 +51,7 @@ void make_state(FullState& f, const PatchMesh& mesh, std::span<const glm::vec3> 
 double sum_rows(FullState& f, const PatchMesh& mesh) {
     gpu::Recorder recorder(f.device);
     gpu::Bindings bindings{{"Sums", f.sums}};
-    offer_solve_table(bindings, "rows", "rows_storage", f.matrix);
+    offer_table(bindings, "rows", f.matrix);
     recorder.compute("sum-rows", f.sum_rows, bindings, SweepPush{f.count, 0}, {f.count});
     recorder.submit_and_wait();
     double worst = 0;
@@ -63,11 +64,11 @@ double sum_rows(FullState& f, const PatchMesh& mesh) {
 void record_sweep(FullState& f, gpu::Recorder& recorder) {
     gpu::Buffer &before = f.radiosity[f.now], &after = f.radiosity[1 - f.now];
     gpu::Bindings bindings{{"After", after}};
-    offer_solve_table(bindings, "rows", "rows_storage", f.matrix);
-    offer_solve_table(bindings, "before", "before_storage", before);
-    offer_solve_table(bindings, "done", "done_storage", after);
-    offer_solve_table(bindings, "sums", "sums_storage", f.sums);
-    offer_solve_table(bindings, "surfaces", "surfaces_storage", f.surfaces);
+    offer_table(bindings, "rows", f.matrix);
+    offer_table(bindings, "before", before);
+    offer_table(bindings, "done", after);
+    offer_table(bindings, "sums", f.sums);
+    offer_table(bindings, "surfaces", f.surfaces);
     const std::uint32_t block = std::max(kSmallestBlock, (f.count + kBlocks - 1) / kBlocks);
     for (std::uint32_t start = 0; start < f.count; start += block)
         recorder.compute("sweep", f.sweep, bindings, SweepPush{f.count, start}, {std::min(block, f.count - start)});

@@ -19,10 +19,4 @@ template <class T> std::vector<T> read_table(gpu::Device& device, gpu::Buffer& b
     return values;
 }
 
-// The offer of one table for FETCH_TABLE(name, ...): the pipeline takes what it was specialised for.
-inline void offer_solve_table(gpu::Bindings& bindings, std::string_view name, std::string_view as_storage, gpu::Buffer& buffer) {
-    bindings.emplace_back(name, buffer);
-    bindings.emplace_back(as_storage, buffer);
-}
-
 } // namespace lightbench
