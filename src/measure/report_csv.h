@@ -1,0 +1,11 @@
+// cost.csv: a line for each metric of each point.
+#pragma once
+
+#include "measure/report.h"
+
+namespace lightbench {
+
+// RFC 4180; numbers in the fewest digits that read back as the same.
+std::string cost_csv(const CostReport& report);
+
+} // namespace lightbench
