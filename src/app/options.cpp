@@ -59,6 +59,8 @@ constexpr OptionRow kOptions[] = {
     {"--pick", "X,Y", "the pixel whose patch is shown"},
     {"--solution", "FILE", "radiosity: goes on from what this file holds, if it exists, and keeps the solution in it"},
     {"--feed-lights", nullptr, "lights without area feed the surfaces even where some glow"},
+    {"--shader", "FILE", "GLSL whose functions take the place of those of the same name below shaders/lib/; several, with commas or again"},
+    {"--slider", "NAME=X", "value of a constant that a shader marks as @slider(least, most, first); several, with commas or again"},
     {"--form-factors", "NAME", "corrected (default): analytic where surfaces are near; hemicube: without that"},
 };
 
@@ -191,6 +193,21 @@ void parse_frames(Parser& p, SceneOptions& o) {
     if (p.has("--frame") && p.has("--frames")) p.problem("--frame", "one frame or --frames, not both");
 }
 
+void parse_shaders(Parser& p, SceneOptions& o) {
+    if (p.has("--shader"))
+        for (const std::string_view file : split(p.text("--shader"), ',')) o.shaders.emplace_back(file);
+    if (!p.has("--slider")) return;
+    const std::string text = p.text("--slider");
+    for (const std::string_view pair : split(text, ',')) {
+        const std::size_t equals = pair.find('=');
+        const auto value = equals == std::string_view::npos ? std::nullopt : parse_whole<float>(pair.substr(equals + 1));
+        if (value && std::isfinite(*value))
+            o.sliders[std::string(pair.substr(0, equals))] = *value;
+        else
+            p.problem("--slider", fmt::format("\"{}\" must be NAME=NUMBER, like gain=0.5", pair));
+    }
+}
+
 } // namespace
 
 std::string alternatives(const std::vector<std::string>& names) {
@@ -212,7 +229,8 @@ void declare_scene_options(CLI::App& sub, Given& given) {
             CLI::Option* option = sub.add_option_function<std::string>(
                 flag, [&given, flag](const std::string& text) { given[flag] = text; }, row.help);
             option->type_name(row.value);
-            if (flag == "--accel-param") option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
+            if (flag == "--accel-param" || flag == "--shader" || flag == "--slider")
+                option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
         }
     }
 }
@@ -229,6 +247,7 @@ SceneOptions parse_scene_options(const Given& given, Problems& problems) {
     parse_frames(parser, options);
     options.device = parser.text("--device"), options.stats = parser.text("--stats");
     options.solution = parser.text("--solution");
+    parse_shaders(parser, options);
     options.count = parser.has("--count"), options.quiet = parser.has("--quiet"), options.allow_outside = parser.has("--allow-outside");
     return options;
 }

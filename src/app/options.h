@@ -30,9 +30,11 @@ struct SceneOptions {
     bool allow_outside = false;
     Request request;
     std::optional<FrameRange> frames;
-    std::string device;   // empty: by itself
-    std::string solution; // file of --method radiosity, or empty
-    std::string stats;    // file, "-" or empty
+    std::string device;                         // empty: by itself
+    std::string solution;                       // file of --method radiosity, or empty
+    std::string stats;                          // file, "-" or empty
+    std::vector<std::filesystem::path> shaders; // whose functions take the place of the library's
+    std::map<std::string, float> sliders;       // values of constants that shaders mark so
     bool count = false, quiet = false;
     Progress progress = Progress::automatic;
 };

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/errors.h"
 #include "app/interrupt.h"
+#include "app/live_shaders.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "app/pictures.h"
@@ -69,6 +70,7 @@ gpu::Device& device_of(Run& run) {
     if (run.device) return *run.device;
     run.messages.step("opening the device");
     run.device.emplace(gpu::Device::open({run.options.device}));
+    use_shaders(*run.device, run.options.shaders, run.options.sliders);
     run.messages.step("rendering on " + run.device->info().name);
     return *run.device;
 }

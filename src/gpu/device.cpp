@@ -213,4 +213,14 @@ bool Device::fits_texel_buffer(std::uint64_t bytes) const {
     return bytes / 16 <= state_->info.max_texel_elements;
 }
 
+// Stages are known by where their words lie, and the old ones go.
+void Device::replace_shaders(std::map<std::string, std::vector<std::uint32_t>, std::less<>> modules, const Constants& constants) {
+    state_->stages.clear();
+    state_->replaced = std::move(modules), state_->replaced_constants = constants;
+}
+
+std::set<std::string> Device::used_shaders() const {
+    return state_->used;
+}
+
 } // namespace lightbench::gpu

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "gpu/errors.h"
+#include "gpu/specialize.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan.hpp>
@@ -65,6 +68,11 @@ class Device {
     std::uint64_t memory_used() const;
     std::uint64_t memory_peak() const;    // stats: memory.device_peak
     double pipeline_milliseconds() const; // stats: time.pipelines; wall time spent in making pipelines
+
+    // In pipelines made from now on these modules, by name, take the place of the program's own. They have been held against those
+    // (render/live/fits.h); `constants` are set in them alone.
+    void replace_shaders(std::map<std::string, std::vector<std::uint32_t>, std::less<>> modules, const Constants& constants = {});
+    std::set<std::string> used_shaders() const; // of which pipelines were made
 
     bool fits_texel_buffer(std::uint64_t bytes) const; // as RGBA32UI texels
 

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -35,7 +36,10 @@ struct DeviceState {
     vk::raii::Sampler nearest{nullptr};
     std::optional<CacheFile> cache_file; // none: LIGHTBENCH_NO_CACHE=1 or no folder
     vk::raii::PipelineCache cache{nullptr};
-    std::map<std::pair<const std::uint32_t*, Constants>, Stage> stages; // specialised, by shader and constants
+    std::map<std::pair<const std::uint32_t*, Constants>, Stage> stages;      // specialised, by shader and constants
+    std::map<std::string, std::vector<std::uint32_t>, std::less<>> replaced; // modules in place of the program's own
+    Constants replaced_constants;
+    std::set<std::string> used;
     double pipeline_milliseconds = 0;
     explicit DeviceState(vk::raii::Context loader) : context(std::move(loader)) {}
     bool names = false; // VK_EXT_debug_utils is on

@@ -43,8 +43,15 @@ Stage specialized_stage(const ShaderCode& code, const Constants& constants, std:
 
 // Specialising takes a tenth of a second where a shader is large; a device keeps what it has specialised.
 const Stage& make_stage(DeviceState& device, const ShaderCode& code, const Constants& constants, std::size_t push_size) {
-    const auto [known, made] = device.stages.try_emplace({code.words.data(), constants});
-    if (made) known->second = specialized_stage(code, constants, push_size);
+    device.used.emplace(code.name);
+    ShaderCode chosen = code;
+    Constants values = constants;
+    if (const auto replaced = device.replaced.find(code.name); replaced != device.replaced.end()) {
+        chosen.words = replaced->second;
+        values.insert(device.replaced_constants.begin(), device.replaced_constants.end());
+    }
+    const auto [known, made] = device.stages.try_emplace({chosen.words.data(), values});
+    if (made) known->second = specialized_stage(chosen, values, push_size);
     return known->second;
 }
 

@@ -1,0 +1,53 @@
+// The folder shaders/ while somebody edits it: which entry points depend on which file, and their compilation in a child process. In: the
+// folder, functions to put in place of its own. Out: SPIR-V, sliders, errors where they were written.
+#pragma once
+
+#include "render/live/shader_text.h"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+
+namespace lightbench {
+
+using ShaderModules = std::map<std::string, std::vector<std::uint32_t>, std::less<>>; // by name of the entry point
+
+struct CompiledShaders {
+    ShaderModules modules; // that compiled, are valid and fit their place
+    std::vector<Slider> sliders;
+    ShaderErrors errors; // empty: all of them did
+};
+
+class ShaderTree {
+  public:
+    // `root` is shaders/ of a source tree or of an installation; `replacements` are files with functions that take the place of those of the
+    // same name below lib/.
+    explicit ShaderTree(std::filesystem::path root, std::vector<std::filesystem::path> replacements = {});
+
+    // Reads every file anew, and which it includes. Paths of those that changed since the last time, appeared or are gone; below root, or
+    // as given.
+    std::vector<std::string> refresh();
+    // Entry points of the program that include one of these files, however far off, or are one.
+    std::set<std::string> dependents(std::span<const std::string> files) const;
+    // Entry points that replacements reach.
+    std::set<std::string> replaced() const;
+    // In a child each, `limit` for all together.
+    CompiledShaders compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit = std::chrono::seconds(20)) const;
+
+  private:
+    // What is compiled: sources with functions replaced and sliders made. Notes what is wrong with them.
+    std::map<std::string, std::string> stage_texts(CompiledShaders& result) const;
+
+    std::filesystem::path root_;
+    std::vector<std::filesystem::path> replacements_;
+    std::map<std::string, std::string> texts_; // below root, or "user/NAME" of a replacement
+    std::map<std::string, std::filesystem::path> user_files_;
+};
+
+// shaders/ of the source tree that the program was built from, or of the installation. LIGHTBENCH_SHADERS names another. Empty: none is there.
+std::filesystem::path find_shader_sources();
+
+} // namespace lightbench

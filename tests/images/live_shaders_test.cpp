@@ -1,0 +1,134 @@
+// Shaders that are edited: what depends on what, errors where they were made, and what does not fit refused before it can do harm.
+#include "render/live/fits.h"
+#include "render/live/shader_tree.h"
+#include "render/shaders.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <gmock/gmock.h>
+
+namespace lightbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A copy of shaders/ to be spoilt.
+class LiveShaders : public testing::Test {
+  protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "lightbench-live-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder = name;
+        fs::copy(fs::path(LIGHTBENCH_SOURCE) / "shaders", folder / "shaders", fs::copy_options::recursive);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    fs::path write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder / name, std::ios::binary) << text;
+        return folder / name;
+    }
+    void edit(const std::string& name, const std::string& from, const std::string& to) const {
+        std::ifstream in(folder / "shaders" / name);
+        std::string text{std::istreambuf_iterator<char>(in), {}};
+        const std::size_t at = text.find(from);
+        ASSERT_NE(at, std::string::npos) << from;
+        write("shaders/" + name, text.replace(at, from.size(), to));
+    }
+    fs::path folder;
+};
+
+TEST_F(LiveShaders, TellWhatDependsOnAFile) {
+    ShaderTree tree(folder / "shaders");
+    EXPECT_THAT(tree.refresh(), IsEmpty());
+    edit("lib/phong.glsl", "float nl", "float  nl");
+    const auto changed = tree.refresh();
+    EXPECT_THAT(changed, ElementsAre("lib/phong.glsl"));
+    const auto names = tree.dependents(changed);
+    EXPECT_THAT(names, AllOf(Contains("raster/surface.frag"), Contains("raytrace/shade.comp"), Not(Contains("display/display.comp"))));
+    fs::remove(folder / "shaders/lib/phong.glsl");
+    EXPECT_THAT(tree.refresh(), ElementsAre("lib/phong.glsl"));
+    EXPECT_EQ(tree.dependents(std::vector<std::string>{"lib/phong.glsl"}), names);
+}
+
+TEST_F(LiveShaders, CompileToWhatTheProgramHas) {
+    const ShaderTree tree(folder / "shaders");
+    const auto compiled = tree.compile({"raster/surface.frag", "display/display.comp"});
+    EXPECT_THAT(compiled.errors, IsEmpty());
+    ASSERT_EQ(compiled.modules.size(), 2u);
+    const auto own = find_shader("raster/surface.frag").words;
+    EXPECT_TRUE(std::ranges::equal(compiled.modules.at("raster/surface.frag"), own));
+}
+
+TEST_F(LiveShaders, ErrorsStandWhereTheyWereMade) {
+    edit("lib/phong.glsl", "float nl = dot(n, l);", "float nl = dot(n, l) + nothing;");
+    const auto compiled = ShaderTree(folder / "shaders").compile({"raster/surface.frag", "raytrace/light.comp", "display/display.comp"});
+    ASSERT_EQ(compiled.errors.size(), 1u) << "the same error in two entry points is one";
+    EXPECT_EQ(compiled.errors[0].file, (folder / "shaders/lib/phong.glsl").string());
+    EXPECT_EQ(compiled.errors[0].text, "float nl = dot(n, l) + nothing;");
+    EXPECT_THAT(compiled.errors[0].message, HasSubstr("'nothing'"));
+    EXPECT_EQ(compiled.modules.count("display/display.comp"), 1u);
+}
+
+TEST_F(LiveShaders, WhatIsGoneOrEmptyOrNoTextIsAnError) {
+    fs::remove(folder / "shaders/display/display.comp");
+    write("shaders/raster/surface.frag", "");
+    write("shaders/raster/surface.vert", std::string("\0\xff\xfe{{{{", 7));
+    fs::remove(folder / "shaders/lib/sum.glsl");
+    const auto compiled = ShaderTree(folder / "shaders")
+                              .compile({"display/display.comp", "raster/surface.frag", "raster/surface.vert", "raytrace/light.comp"});
+    EXPECT_THAT(compiled.modules, IsEmpty());
+    EXPECT_GE(compiled.errors.size(), 4u);
+}
+
+TEST_F(LiveShaders, WhatDoesNotFitIsRefused) {
+    edit("display/display.comp", "void main() {",
+         "layout(set = 0, binding = 31) buffer More { float more[]; };\nvoid main() { more[0] = 1.0;");
+    edit("raster/surface.frag", "layout(location = 0) out vec4 color;", "layout(location = 1) out vec4 color;");
+    const auto compiled = ShaderTree(folder / "shaders").compile({"display/display.comp", "raster/surface.frag"});
+    EXPECT_THAT(compiled.modules, IsEmpty());
+    EXPECT_THAT(compiled.errors, Contains(Field(&ShaderError::message, HasSubstr("the program binds nothing there"))));
+    EXPECT_THAT(compiled.errors, Contains(Field(&ShaderError::message, HasSubstr("is missing"))));
+    EXPECT_THAT(misfits(find_shader("raster/surface.frag"), std::vector<std::uint32_t>{1, 2, 3}), Not(IsEmpty()));
+    EXPECT_THAT(misfits(find_shader("raster/surface.frag"), find_shader("raster/surface.vert").words), Not(IsEmpty()));
+    EXPECT_THAT(misfits(find_shader("raster/surface.frag"), find_shader("raster/surface.frag").words), IsEmpty());
+}
+
+TEST_F(LiveShaders, AFileReplacesAFunction) {
+    const fs::path mine = write("mine.glsl", "const float gain = 0.5; // @slider(0, 2, 1)\n"
+                                             "float phong_specular(vec3 n, vec3 l, vec3 v, float shininess) {\n"
+                                             "    return gain * original_phong_specular(n, l, v, 4.0 * shininess);\n}\n");
+    const ShaderTree tree(folder / "shaders", {mine});
+    EXPECT_THAT(tree.replaced(), AllOf(Contains("raster/surface.frag"), Not(Contains("display/display.comp"))));
+    const auto compiled = tree.compile({"raster/surface.frag"});
+    EXPECT_THAT(compiled.errors, IsEmpty());
+    ASSERT_EQ(compiled.sliders.size(), 1u);
+    EXPECT_EQ(compiled.sliders[0].name, "gain");
+}
+
+TEST_F(LiveShaders, ErrorsOfAReplacementAreInItsFile) {
+    const fs::path mine = write("mine.glsl", "float lambert(vec3 n, vec3 l) {\n    return dot(n, wrong);\n}\n");
+    const auto compiled = ShaderTree(folder / "shaders", {mine}).compile({"raster/surface.frag"});
+    ASSERT_FALSE(compiled.errors.empty());
+    EXPECT_EQ(compiled.errors[0].file, mine.string());
+    EXPECT_EQ(compiled.errors[0].line, 2u);
+    const fs::path other = write("other.glsl", "float nobody_calls_me() { return 1.0; }\n");
+    EXPECT_THAT(ShaderTree(folder / "shaders", {other}).compile({}).errors[0].message, HasSubstr("defines no function"));
+}
+
+TEST_F(LiveShaders, CompilingHasALimit) {
+    const auto compiled = ShaderTree(folder / "shaders").compile({"raytrace/shade.comp"}, std::chrono::milliseconds(1));
+    ASSERT_EQ(compiled.errors.size(), 1u);
+    EXPECT_THAT(compiled.errors[0].message, HasSubstr("takes too long"));
+}
+
+} // namespace
+} // namespace lightbench
