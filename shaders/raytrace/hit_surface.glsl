@@ -63,7 +63,7 @@ void shape_point(uvec4 kind, vec3 o, vec3 d, float t, uint part, out vec3 q, out
     if (wants_ray(RAY_BOXES) && kind.x == kShapeBox) q = cube_point(o, d, t, part), n = cube_normal(part), error = gamma(3.0) * abs(q);
     if (wants_ray(RAY_BALLS) && kind.x == kShapeBall) q = ball_point(o, d, t, error), n = q;
     if (wants_ray(RAY_CONES) && kind.x == kShapeCone)
-        q = cone_point(q, parameters.x, parameters.y, part), n = cone_normal(q, parameters.x, parameters.y, part), error = vec3(gamma(8.0));
+        q = cone_point(q, parameters.x, parameters.y, part), n = cone_normal(q, parameters.x, parameters.y, part), error = vec3(kConeClearance);
     if (wants_ray(RAY_TORI) && kind.x == kShapeTorus)
         q = torus_point(q, parameters.x), n = torus_normal(q, parameters.x), error = vec3(gamma(8.0) * (1.0 + parameters.x));
 }

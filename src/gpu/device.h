@@ -3,6 +3,7 @@
 #pragma once
 
 #include "gpu/errors.h"
+#include "gpu/float_rules.h"
 #include "gpu/specialize.h"
 
 #include <cstdint>
@@ -35,6 +36,7 @@ struct DeviceInfo {
     std::uint32_t subpixel_bits = 0;      // the rasteriser moves a vertex to the nearest 2^-bits of a pixel
     std::uint64_t heap_bytes = 0;         // sum of the device-local heaps
     vk::SampleCountFlags sample_counts{}; // that colour and depth attachments both have
+    FloatRules float_rules{};             // of every pipeline
 };
 
 // A device and what it lacks of what lightbench requires; nothing, for one that can be used.

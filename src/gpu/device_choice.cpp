@@ -31,6 +31,13 @@ std::uint64_t device_local_bytes(const vk::PhysicalDeviceMemoryProperties& memor
     return sum;
 }
 
+// Vulkan lets a device decline to keep NaN; Vulkan's default rules stay there.
+FloatRules float_rules(const Properties& chain) {
+    if (chain.get<vk::PhysicalDeviceProperties2>().properties.deviceType == vk::PhysicalDeviceType::eCpu) return {};
+    return {.keep_nan = chain.get<vk::PhysicalDeviceVulkan12Properties>().shaderSignedZeroInfNanPreserveFloat32 == VK_TRUE,
+            .unfused = true};
+}
+
 DeviceInfo read_info(const vk::raii::PhysicalDevice& physical, const Properties& chain) {
     const vk::PhysicalDeviceProperties& p = chain.get<vk::PhysicalDeviceProperties2>().properties;
     const auto& driver = chain.get<vk::PhysicalDeviceVulkan12Properties>();
@@ -47,7 +54,8 @@ DeviceInfo read_info(const vk::raii::PhysicalDevice& physical, const Properties&
             .max_group_count = p.limits.maxComputeWorkGroupCount[0],
             .subpixel_bits = p.limits.subPixelPrecisionBits,
             .heap_bytes = device_local_bytes(physical.getMemoryProperties()),
-            .sample_counts = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts};
+            .sample_counts = p.limits.framebufferColorSampleCounts & p.limits.framebufferDepthSampleCounts,
+            .float_rules = float_rules(chain)};
 }
 
 bool has_format(const vk::raii::PhysicalDevice& physical, vk::Format format, vk::FormatFeatureFlags features) {

@@ -39,13 +39,13 @@ const Oracle kFresnel{in_extended, in_60_digits};
 // As fresnel.glsl states it.
 const Bound kFresnelBound = Bound::function([](std::span<const float> in, double expected) {
     const double c = static_cast<double>(in[0]), n = static_cast<double>(in[1]);
-    return n < 1 && excess(c, n) < 0.1 * c * c ? 5e-7 : 8e-7 * expected;
+    return n < 1 && excess(c, n) < 0.1 * c * c ? 1.5e-6 : 3.2e-6 * expected;
 });
 
 const Bound kDenseBound = Bound::function([](std::span<const float> in, double expected) {
     const double c = static_cast<double>(in[0]), n = static_cast<double>(in[1]), k = excess(c, n);
-    if (n >= 1) return 8e-7 * expected;
-    return k > 0.1 ? 5e-7 : 1e-3 / (n * n);
+    if (n >= 1) return 3.2e-6 * expected;
+    return k > 0.1 ? 2.9e-6 : 1e-3 / (n * n);
 });
 
 // The cosine of the critical angle of n < 1 and its neighbours; n on a grid.

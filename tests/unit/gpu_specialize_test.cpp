@@ -1,6 +1,7 @@
 // Specialisation and reflection, on SPIR-V alone: what a constant makes dead is gone, what is left is described rightly.
 #include "gpu/specialize.h"
 
+#include "gpu/float_rules.h"
 #include "gpu/reflect.h"
 
 #include <gmock/gmock.h>
@@ -106,6 +107,34 @@ TEST(GpuSpecialize, VertexOutputsThatNobodyReadsGoWithTheirInputs) {
     EXPECT_THAT(locations(reflect(depth_only).outputs), ElementsAre());
     EXPECT_THAT(locations(reflect(depth_only).inputs), ElementsAre(0)) << "the position is still written";
     EXPECT_TRUE(validates(depth_only));
+}
+
+unsigned count_words(const std::vector<std::uint32_t>& words, std::uint32_t opcode, std::uint32_t operand, std::size_t place) {
+    unsigned count = 0;
+    for (std::size_t i = 5; i < words.size(); i += std::max(words[i] >> 16, 1u))
+        count += (words[i] & 0xffff) == opcode && (words[i] >> 16) > place && words[i + place] == operand;
+    return count;
+}
+
+// 17 OpCapability, 16 OpExecutionMode, 71 OpDecorate; 4466 and 4461 SignedZeroInfNanPreserve, 42 NoContraction.
+TEST(GpuFloatRules, EveryStageKeepsNaNAndIsNotFused) {
+    for (const ShaderCode& code : gpu_test_shaders_table()) {
+        const auto plain = specialize(code, {}), strict = apply_float_rules(plain, {.keep_nan = true, .unfused = true});
+        EXPECT_EQ(count_words(strict, 17, 4466, 1), 1u) << code.name;
+        EXPECT_EQ(count_words(strict, 16, 4461, 2), 1u) << code.name;
+        EXPECT_GE(count_words(strict, 71, 42, 2), count_opcode(plain, 129) + count_opcode(plain, 131) + count_opcode(plain, 133))
+            << code.name << ": OpFAdd, OpFSub, OpFMul";
+        EXPECT_TRUE(validates(strict)) << code.name;
+        EXPECT_EQ(apply_float_rules(plain, {}), plain) << code.name;
+        EXPECT_EQ(apply_float_rules(strict, {.unfused = true}), strict) << code.name << ": once is enough";
+    }
+}
+
+TEST(GpuFloatRules, OutliveTheStrippingOfOutputs) {
+    const auto strict = [](std::string_view name) { return apply_float_rules(specialize(shader(name), {}), {true, true}); };
+    const auto lean = drop_unread_outputs(strict("gpu_triangle.vert"), strict("gpu_triangle.frag"));
+    EXPECT_EQ(count_words(lean, 16, 4461, 2), 1u);
+    EXPECT_TRUE(validates(lean));
 }
 
 TEST(GpuReflect, Compute) {
