@@ -62,7 +62,7 @@ TEST_F(Kernel, PointToQuad) {
                           using T = std::remove_cvref_t<decltype(x[0])>;
                           return lambert<T>(x);
                       }),
-                      Bound::absolute(6e-6));
+                      Bound::absolute(3e-6));
     }
 }
 
