@@ -2,6 +2,7 @@
 // `precise`: by the rules of real numbers all of these are 0. u = 2^-24; numbers in [2^-100, 2^126] or 0 where exactness is claimed.
 #ifndef LIGHTBENCH_LIB_EXACT
 #define LIGHTBENCH_LIB_EXACT
+#include "lib/ray.glsl"
 #include "lib/vector.glsl"
 
 // x + y less its rounded sum. Knuth 1969, "The art of computer programming", vol. 2, sec. 4.2.2, theorem B.
@@ -10,6 +11,12 @@ vec3 sum_error(vec3 x, vec3 y) {
     precise vec3 z = s - x;
     precise vec3 e = (x - (s - z)) + (y - z);
     return e;
+}
+
+// x + y rounded upwards: the least float that is not below the sum.
+float sum_upwards(float x, float y) {
+    precise float s = x + y;
+    return sum_error(vec3(x), vec3(y)).x > 0.0 ? next_up(s) : s;
 }
 
 // x y less its rounded product. Dekker 1971, "A floating-point technique for extending the available precision", sec. 5, with halves of 12

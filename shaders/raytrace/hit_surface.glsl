@@ -13,7 +13,7 @@ struct HitSurface {
     vec3 position, error; // frame; each coordinate is off the surface by at most `error`
     vec3 face;            // unit, outwards: the geometric normal
     vec3 normal;          // unit, outwards: interpolated where a mesh has normals
-    uint surface, number; // index into materials; of the primitive
+    uint surface, number; // index into materials; of the primitive, with kRefracts
     Detail detail;
 };
 
@@ -43,7 +43,7 @@ void triangle_surface(inout HitSurface h, uint index, vec2 b) {
     h.face = safe_normalize(cross(v1 - v0, v2 - v0), vec3(0.0, 0.0, 1.0));
     h.normal = h.face, h.number = p0.w, h.surface = p1.w;
     if (!wants_ray(RAY_SMOOTH | RAY_UV)) return;
-    uvec3 v = fetch_corners(h.number).xyz;
+    uvec3 v = fetch_corners(wants_ray(RAY_REFRACTED) ? h.number & ~kRefracts : h.number).xyz;
     if (wants_ray(RAY_SMOOTH)) smooth_triangle(h, v, b);
     if (!wants_ray(RAY_UV)) return;
     h.detail.uv = detail_word(v, 0u, b).xy;

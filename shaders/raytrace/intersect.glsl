@@ -1,9 +1,9 @@
-// One ray against one primitive, whatever walks the structure: so that all structures find the same hit to the last bit. The nearest hit
-// counts; of two at the same distance that of the lower number. In: the global `ray`. Out: hit and its number.
+// One ray against one primitive, whatever walks the structure: so that all structures find the same hit to the last bit.
+// In: the global `ray`. Out: hit and its number.
 #ifndef LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
 #define LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
 
-#include "raytrace/rays.glsl"
+#include "raytrace/order.glsl"
 #include "lib/ray.glsl"
 #include "lib/ray_box.glsl"
 #include "lib/ray_cone.glsl"
@@ -15,52 +15,16 @@ FETCH_TABLE(triangles, FETCH_TRIANGLES, 8)
 FETCH_TABLE(spheres, FETCH_SPHERES, 10)
 FETCH_TABLE(shapes, FETCH_SHAPES, 12)
 
-struct RayState {
-    vec3 o, d, inv_d;
-    float after;
-    uint after_number;
-    float slack; // boxes are taken to be larger by this: no hit is farther outside of its box than its rounding
-};
-RayState ray;
 RayShear shear;
-uint hit_number = 0u; // no hit: a miss, which is as far as the limit, must not count as one at the same distance
 uint tested_triangles = 0u, tested_spheres = 0u, tested_boxes = 0u, tested_balls = 0u, tested_cones = 0u, tested_tori = 0u;
 uint count_nodes = 0u, count_voxels = 0u;
 
-// Boxes are larger by 64 u (R + max |o|), R = 2 the extent of every frame: lib/ray_box.glsl derives why no box is then missed that holds
-// what a ray hits.
 void start_ray(Ray r) {
-    ray.o = r.origin, ray.d = r.direction, ray.after = r.after, ray.after_number = r.after_number;
+    ray.o = r.origin, ray.d = r.direction;
     ray.inv_d = safe_inverse(r.direction);
-    vec3 size = abs(r.origin);
-    ray.slack = 3.8146973e-6 * (max(max(size.x, size.y), size.z) + 2.0);
+    ray.slack = slack_of(abs(r.origin));
+    set_after(r.after, r.after_number);
     if (wants_ray(RAY_TRIANGLES)) shear = shear_of(r.direction);
-}
-
-// Hits at exactly `after` count for numbers above after_number: how a ray goes on behind a surface that it passed without losing another
-// one at the same place.
-float after_for(uint number) {
-    if (!wants_ray(RAY_STRAIGHT | RAY_CLEAR_SHADOWS)) return ray.after;
-    float before = uintBitsToFloat(max(floatBitsToUint(ray.after), 1u) - 1u);
-    return number > ray.after_number ? before : ray.after;
-}
-
-// A pass that asks only whether anything is there takes the first that it meets, whatever its number and its distance.
-#ifndef LIGHTBENCH_ANY_HIT
-#define LIGHTBENCH_ANY_HIT false
-#endif
-
-void offer(inout RayHit hit, float t, uint ref, uint number, float b1, float b2) {
-    if (LIGHTBENCH_ANY_HIT) {
-        hit.ref = t < hit.t ? ref : hit.ref;
-        return;
-    }
-    bool nearer = t < hit.t || (t == hit.t && number < hit_number);
-    hit.t = nearer ? t : hit.t;
-    hit.ref = nearer ? ref : hit.ref;
-    hit.b1 = nearer ? b1 : hit.b1;
-    hit.b2 = nearer ? b2 : hit.b2;
-    hit_number = nearer ? number : hit_number;
 }
 
 void test_triangle(uint index, inout RayHit hit) {

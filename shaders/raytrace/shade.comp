@@ -64,6 +64,16 @@ RayPoint point_of(Material m, HitSurface h, Ray r, float width) {
     return p;
 }
 
+// Rays that a surface which does not refract sends on, to lights too, start beyond what refracts and touches it, so that none meets that once
+// more or less, as rounding has it: what touches lies no farther across the surface than along the ray that found it. The other way round
+// only where the ray passed (S13) what touches: otherwise it would have been hit.
+void leave_what_touches(inout HitSurface h, Ray r, float t) {
+    if (!wants_ray(RAY_REFRACTED)) return;
+    float touching = kTouching * slack_of(max(abs(r.origin), abs(h.position)));
+    bool passed = !refracts(r.after_number) && r.after > t - touching; // not from kNothing, which refracts by its bits
+    h.error += !refracts(h.number) || passed ? touching : 0.0;
+}
+
 void write_children(uint at, uint i, Ray r, RayHit hit, HitSurface h, RayPoint p, Sent s, float width) {
     if (wants_ray(RAY_REFLECTED))
         if (is_any(s.mirrored)) write_mirrored(at++, i, r, h, p, s, width);
@@ -105,6 +115,7 @@ void main() {
     ray.o = r.origin, ray.d = r.direction;
     float width = r.width + hit.t * push.spread;
     HitSurface h = hit_surface(hit);
+    leave_what_touches(h, r, hit.t);
     Material m = read_traced_material(h.surface);
     RayPoint p = point_of(m, h, r, width);
     if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) {

@@ -56,8 +56,9 @@ bool pass_through(inout RayHit hit, inout Walk w, inout vec3 clear, float limit)
         if (!walk(hit, false, w)) return false;
         arrived = hit.ref == kNothing;
         if (!arrived) {
+            hit = at_distance(hit);
             clear *= passing(hit);
-            ray.after = hit.t, ray.after_number = hit_number;
+            set_after(hit.t, hit_number);
             arrived = clear.x <= 0.0 && clear.y <= 0.0 && clear.z <= 0.0;
             hit = RayHit(limit, kNothing, 0.0, 0.0), hit_number = 0u;
             w = Walk(arrived ? kNothing : 0u, 1u, 0u, 0u);

@@ -45,7 +45,9 @@ uvec4 without_medium(uvec4 inside, uint medium) {
     return uvec4(inside.xyz, inside.w == medium ? 0u : inside.w);
 }
 
-// S16. What lies before and behind the surface. A medium that is left although it was never entered began around the eye.
+// S16. What lies before and behind the surface. A medium that is left although it was never entered began around the eye. Of two media the one
+// that was entered last counts, so those that touch should overlap: which of two faces at one place comes first, rounding says, and the ray
+// that it refracts starts behind both.
 void set_media(uint i, bool entering, uint surface, inout Sent s) {
     uvec4 inside = fetch_media(i);
     uint medium = surface + 1u;

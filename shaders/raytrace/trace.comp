@@ -43,7 +43,7 @@ void main() {
     bool found = ends && hit.ref != kNothing;
     uint at = place_of_hit(found);
     if (found) {
-        hits[at] = uvec4(floatBitsToUint(hit.t), hit.ref, floatBitsToUint(vec2(hit.b1, hit.b2)));
+        hits[at] = uvec4(floatBitsToUint(at_distance(hit).t), hit.ref, floatBitsToUint(vec2(hit.b1, hit.b2)));
         hit_rays_out[at] = i;
     }
     if (ends && !found) node_words[kRayNodeTexels * (push.first + i)] = uvec4(floatBitsToUint(background_radiance()), 0u);

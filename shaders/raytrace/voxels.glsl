@@ -26,7 +26,7 @@ float enter_voxels(VoxelSpace space, float limit) {
     vec3 a = (space.origin - (ray.o + ray.slack)) * ray.inv_d;
     vec3 b = (space.origin + vec3(space.cells) * space.step - (ray.o - ray.slack)) * ray.inv_d;
     vec3 near = min(a, b), far = max(a, b);
-    float t_in = max(max(near.x, near.y), max(near.z, max(ray.after, 0.0)));
+    float t_in = max(max(near.x, near.y), max(near.z, max(first_after(), 0.0)));
     float t_out = min(min(far.x, far.y), min(far.z, limit)) * 1.00000095; // 2^-20, 6 u would do
     return t_in <= t_out ? t_in : kNoHit;
 }

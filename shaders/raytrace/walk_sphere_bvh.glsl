@@ -14,7 +14,7 @@ float enter_sphere(vec4 sphere, float limit) {
     vec3 across = to - b * ray.d;
     float left = r * r - dot(across, across), half_chord = sqrt(max(left, 0.0)) * 1.0000005 + error;
     float t_in = max(b - half_chord, 0.0), t_out = b + half_chord;
-    return left >= 0.0 && sphere.w >= 0.0 && t_out >= ray.after && t_in <= limit ? t_in : kNoHit;
+    return left >= 0.0 && sphere.w >= 0.0 && t_out >= first_after() && t_in <= limit ? t_in : kNoHit;
 }
 
 // stack[0] is kNothing: popping it ends the walk.

@@ -32,6 +32,7 @@ void take_up_walk(uint slot, inout Walk w, inout RayHit hit) {
     hit = RayHit(uintBitsToFloat(walk_words[at + 4u]), walk_words[at + 5u], uintBitsToFloat(walk_words[at + 6u]),
                  uintBitsToFloat(walk_words[at + 7u]));
     hit_number = number_of(hit.ref);
+    if (wants_ray(RAY_REFRACTED)) hit_t = uintBitsToFloat(walk_words[at + 13u]);
     for (uint i = 0u; i < (w.node == kNothing ? 0u : w.top); ++i) stack[i] = walk_words[at + kRayWalkWords + i];
 }
 
@@ -40,6 +41,7 @@ void put_down_walk(uint slot, Walk w, RayHit hit) {
     walk_words[at] = w.node, walk_words[at + 1u] = w.top, walk_words[at + 2u] = w.a, walk_words[at + 3u] = w.b;
     walk_words[at + 4u] = floatBitsToUint(hit.t), walk_words[at + 5u] = hit.ref;
     walk_words[at + 6u] = floatBitsToUint(hit.b1), walk_words[at + 7u] = floatBitsToUint(hit.b2);
+    if (wants_ray(RAY_REFRACTED)) walk_words[at + 13u] = floatBitsToUint(hit_t);
     for (uint i = 0u; i < (w.node == kNothing ? 0u : w.top); ++i) walk_words[at + kRayWalkWords + i] = stack[i];
 }
 
@@ -47,7 +49,7 @@ void put_down_walk(uint slot, Walk w, RayHit hit) {
 void take_up_light(uint slot, out vec3 clear) {
     uint at = slot * (kRayWalkWords + kStack) + 8u;
     clear = uintBitsToFloat(uvec3(walk_words[at], walk_words[at + 1u], walk_words[at + 2u]));
-    ray.after_number = walk_words[at + 3u], ray.after = uintBitsToFloat(walk_words[at + 4u]);
+    set_after(uintBitsToFloat(walk_words[at + 4u]), walk_words[at + 3u]);
 }
 
 void put_down_light(uint slot, vec3 clear) {

@@ -58,6 +58,8 @@ const uint kTypeSphere = 1u;
 const uint kTypeShape = 2u;
 const uint kNothing = 0xffffffffu;     // no primitive, no node
 
+const uint kRefracts = 0x80000000u;    // in the number of a primitive whose material refracts, where RAY_REFRACTED is set
+
 const uint kTriangleTexels = 3u, kSphereTexels = 2u, kShapeTexels = 8u;
 
 // `number` counts all primitives of the scene in one fixed order, triangles, then spheres, then shapes, whatever the structure: of two hits
@@ -166,7 +168,7 @@ struct RayWalk {
     RayHit hit;
     vec3 clear; uint after_number;
     float after;
-    uint pad0;
+    float hit_t;                       // where something refracts: what orders hits is in hit.t then
 };
 const uint kRayWalkWords = 14u;
 

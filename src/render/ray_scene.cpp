@@ -41,15 +41,17 @@ std::uint32_t effects_of(const RayPrimitives& primitives, const Plan& plan) {
     return effects;
 }
 
+bool refracts(const Scene& scene, const RasterGeometry& geometry, std::uint32_t surface) {
+    return glm::any(glm::greaterThan(scene.materials[geometry.surfaces[surface].material].transmission, glm::vec3(0)));
+}
+
 // Only what has a material that refracts.
 RayPrimitives media_of(const Scene& scene, const RasterGeometry& geometry, const RayPrimitives& all) {
-    const auto refracts = [&](const auto& primitive) {
-        return glm::any(glm::greaterThan(scene.materials[geometry.surfaces[primitive.surface].material].transmission, glm::vec3(0)));
-    };
+    const auto is_medium = [&](const auto& primitive) { return refracts(scene, geometry, primitive.surface); };
     RayPrimitives media;
-    std::ranges::copy_if(all.triangles, std::back_inserter(media.triangles), refracts);
-    std::ranges::copy_if(all.spheres, std::back_inserter(media.spheres), refracts);
-    std::ranges::copy_if(all.shapes, std::back_inserter(media.shapes), refracts);
+    std::ranges::copy_if(all.triangles, std::back_inserter(media.triangles), is_medium);
+    std::ranges::copy_if(all.spheres, std::back_inserter(media.spheres), is_medium);
+    std::ranges::copy_if(all.shapes, std::back_inserter(media.shapes), is_medium);
     return media;
 }
 
@@ -69,8 +71,7 @@ void build_there(gpu::Device& device, RayScene& out, const RayPrimitives& primit
     out.structure_bytes = out.nodes.size() + out.narrow.size();
 }
 
-void build_here(gpu::Device& device, RayScene& out, RayPrimitives& primitives, const AccelRequest& request) {
-    out.accel = build_accel(primitives, request);
+void upload_built_here(gpu::Device& device, RayScene& out, const RayPrimitives& primitives) {
     if (!out.accel.narrow.empty()) prepend_planes(out.accel);
     out.structure_bytes = out.accel.bytes();
     out.nodes = table(device, out, "nodes", out.accel.nodes, FETCH_NODES);
@@ -79,6 +80,16 @@ void build_here(gpu::Device& device, RayScene& out, RayPrimitives& primitives, c
     out.spheres = table(device, out, "spheres", primitives.spheres, FETCH_SPHERES);
     out.shapes = table(device, out, "shapes", primitives.shapes, FETCH_SHAPES);
     out.accel.nodes = {}, out.accel.narrow = {};
+}
+
+// For shaders, which order hits by that. Once the host has built its structure, which goes by the numbers; the device's goes by places.
+void mark_media(const Scene& scene, const RasterGeometry& geometry, RayPrimitives& primitives) {
+    const auto mark = [&](auto& primitive) {
+        if (refracts(scene, geometry, primitive.surface)) primitive.number |= gpu_layout::kRefracts;
+    };
+    std::ranges::for_each(primitives.triangles, mark);
+    std::ranges::for_each(primitives.spheres, mark);
+    std::ranges::for_each(primitives.shapes, mark);
 }
 
 } // namespace
@@ -95,10 +106,13 @@ RayScene upload_rays(gpu::Device& device, const Scene& scene, const RasterGeomet
     RayScene out;
     if (plan.ray_effects & RAY_REFRACTED) out.media = media_of(scene, geometry, primitives);
     // A tree of one primitive, or of none, has nothing to sort.
-    if (plan.accel == Structure::bvh && plan.accel_parameters.builder == TreeBuilder::device && has_tree(primitives))
+    const bool there = plan.accel == Structure::bvh && plan.accel_parameters.builder == TreeBuilder::device && has_tree(primitives);
+    if (!there) out.accel = build_accel(primitives, request_of(plan));
+    if (plan.ray_effects & RAY_REFRACTED) mark_media(scene, geometry, primitives);
+    if (there)
         build_there(device, out, primitives, plan.accel_parameters.leaf);
     else
-        build_here(device, out, primitives, request_of(plan));
+        upload_built_here(device, out, primitives);
     out.effects = effects_of(primitives, plan);
     out.stack = std::max(out.accel.stack, 2u);
     if (out.effects & (RAY_SMOOTH | RAY_UV)) out.corners = table(device, out, "corners", primitives.corners, FETCH_CORNERS);

@@ -69,6 +69,20 @@ TEST(RayStructures, CoincidentSurfacesAndGlass) {
     expect_equal_pictures(scene);
 }
 
+// Glass on a floor that mirrors, faces and all: what touches is ordered by more than distance.
+TEST(RayStructures, GlassThatTouches) {
+    Scene scene = plane_scene({2, 2, 5});
+    scene.lights = {point_light({3, 9, 6}, glm::vec3(1))};
+    scene.materials[0].reflection = glm::vec3(0.3f);
+    scene.materials.resize(3, scene.materials[0]);
+    scene.materials[1].transmission = glm::vec3(0.8f, 0.6f, 0.4f), scene.materials[1].fresnel = true;
+    scene.materials[2].opacity = glm::vec3(0.5f);
+    for (const Shape& shape : {Shape(Box{{-1, 0, -1}, {0.3, 0.7, 1}}), Shape(Sphere{{0.9, 0.5, 0.5}, 0.5})})
+        scene.objects.push_back({.shape = shape, .material = 1});
+    scene.objects.push_back({.shape = Polygon{{{0.3, 0, 1}, {0.3, 0.5, 1}, {0.3, 0.5, -1}, {0.3, 0, -1}}, {}}, .material = 2});
+    expect_equal_pictures(scene);
+}
+
 // 12 000 spheres, all of them tested against each ray: more rounds than one dispatch takes.
 TEST(RayStructures, WalksLongerThanADispatch) {
     const Scene scene = crowd(12000);
