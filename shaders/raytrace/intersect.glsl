@@ -1,5 +1,5 @@
-// One ray against one primitive, whatever walks the structure: so that all structures find the same hit to the last bit.
-// In: the global `ray`. Out: hit and its number.
+// One ray against one primitive, whatever walks the structure: so that all structures find the same hit to the last bit (no device may round
+// this otherwise in another walk's shader: src/gpu/float_rules.h). In: the global `ray`. Out: hit and its number.
 #ifndef LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
 #define LIGHTBENCH_RAYTRACE_INTERSECT_GLSL
 
