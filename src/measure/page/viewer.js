@@ -1,0 +1,67 @@
+// The picture beside a chart: of the point that is looked at, or two chosen ones with a seam that is moved between them.
+function figures(number) {
+    return number === null || number === undefined ? "none" : Number(number).toPrecision(4).replace(/\.?0+(e|$)/, "$1");
+}
+
+function describe(point) {
+    const errors = Object.entries(point.errors).map(([metric, error]) => `${metric} ${figures(error)}`);
+    const time = point.ms === undefined ? [] : [`${figures(point.ms)} ms (quartiles ${figures(point.q1)} to ${figures(point.q3)}, ${point.runs} runs${point.settled ? "" : ", not settled"})`];
+    const front = point.pareto && point.pareto.length > 0 ? [`on the Pareto front of ${point.pareto.join(", ")}`] : [];
+    return `${point.value}: ${[...time, ...errors, ...front, ...(point.note ? [point.note] : [])].join("; ")}`;
+}
+
+function addTo(parent, tag, name, text) {
+    const element = document.createElement(tag);
+    element.className = name;
+    if (text) element.textContent = text;
+    parent.append(element);
+    return element;
+}
+
+function makeStage(figure) {
+    const stage = addTo(figure, "div", "stage"), under = addTo(stage, "img", "under"), over = addTo(stage, "img", "over");
+    const parts = { stage, under, over, seam: addTo(stage, "div", "seam"), left: addTo(stage, "span", "side left"), right: addTo(stage, "span", "side right") };
+    for (const image of [under, over]) image.addEventListener("load", () => image.classList.toggle("enlarged", image.naturalWidth < image.clientWidth));
+    parts.slider = addTo(figure, "input", "");
+    Object.assign(parts.slider, { type: "range", min: 0, max: 100, step: 0.5, value: 50 });
+    parts.slider.setAttribute("aria-label", "seam between the two pictures, percent from the left");
+    parts.caption = addTo(figure, "figcaption", "");
+    parts.caption.setAttribute("aria-live", "polite");
+    return parts;
+}
+
+function letTheSeamBeDragged({ stage, slider }) {
+    const cut = (percent) => { slider.value = percent, stage.style.setProperty("--cut", `${slider.value}%`); };
+    slider.addEventListener("input", () => cut(slider.value));
+    const follow = (event) => {
+        const box = stage.getBoundingClientRect();
+        if (!slider.hidden) cut(100 * (event.clientX - box.left) / box.width);
+    };
+    stage.addEventListener("pointerdown", (event) => { stage.setPointerCapture(event.pointerId), event.preventDefault(), follow(event); });
+    stage.addEventListener("pointermove", (event) => { if (event.buttons) follow(event); });
+    cut(50);
+}
+
+function setPicture(image, pictures, point) {
+    const there = point !== undefined && point.picture !== null;
+    image.hidden = !there;
+    image.alt = there ? `picture of ${point.value}` : "";
+    if (there && image.dataset.picture !== String(point.picture)) image.src = pictures[point.picture], image.dataset.picture = point.picture;
+}
+
+// show([]), show([point]) or show([left, right]).
+function makeViewer(figure, pictures) {
+    const parts = makeStage(figure);
+    letTheSeamBeDragged(parts);
+    return (points) => {
+        const seen = points.filter((p) => p.picture !== null), two = seen.length === 2;
+        setPicture(parts.under, pictures, seen[0]);
+        setPicture(parts.over, pictures, two ? seen[1] : undefined);
+        parts.stage.hidden = seen.length === 0;
+        for (const part of [parts.seam, parts.slider, parts.right]) part.hidden = !two;
+        parts.left.textContent = seen.length > 0 ? seen[0].value : "";
+        parts.right.textContent = two ? seen[1].value : "";
+        parts.caption.replaceChildren();
+        for (const point of points) addTo(parts.caption, "div", "", describe(point));
+    };
+}
