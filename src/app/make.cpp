@@ -2,6 +2,7 @@
 #include "scene/make.h"
 #include "app/commands.h"
 #include "app/errors.h"
+#include "app/numbers.h"
 #include "scene/write.h"
 
 #include <CLI/CLI.hpp>
@@ -26,18 +27,6 @@ void list_kinds() {
         fmt::print("{:<14}{}\n", kind.name, kind.description);
         for (const MakeParameter& p : kind.parameters) fmt::print("  {:<16}{} ({})\n", p.name, p.meaning, range_of(p));
     }
-}
-
-MakeArguments split_parameters(const std::vector<std::string>& texts, Problems& problems) {
-    MakeArguments arguments;
-    for (const std::string& text : texts) {
-        const std::size_t equals = text.find('=');
-        if (equals == std::string::npos || equals == 0)
-            problems.push_back({"--param", 0, 0, fmt::format("\"{}\" must be NAME=VALUE", text)});
-        else
-            arguments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-    }
-    return arguments;
 }
 
 void make(const KindArguments& arguments) {

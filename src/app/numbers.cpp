@@ -1,6 +1,7 @@
 #include "app/numbers.h"
 
 #include <cstdint>
+#include <fmt/format.h>
 #include <vector>
 
 namespace lightbench {
@@ -74,6 +75,18 @@ std::optional<glm::vec2> parse_filter(std::string_view text) {
     const auto sigma = parts.size() == 2 ? parse_number<0, 16>(parts[1]) : radius ? std::optional(*radius / 3) : std::nullopt;
     if (!radius || !sigma || *sigma < 0.1) return std::nullopt;
     return glm::vec2(*radius, *sigma);
+}
+
+NamedTexts split_parameters(const std::vector<std::string>& texts, Problems& problems) {
+    NamedTexts arguments;
+    for (const std::string& text : texts) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            problems.push_back({"--param", 0, 0, fmt::format("\"{}\" must be NAME=VALUE", text)});
+        else
+            arguments.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+    return arguments;
 }
 
 } // namespace lightbench

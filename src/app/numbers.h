@@ -48,4 +48,8 @@ std::optional<glm::vec2> parse_filter(std::string_view text);   // R or R,SIGMA:
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+// What --param takes, NAME=VALUE each; a text without a name or "=" is a problem.
+using NamedTexts = std::vector<std::pair<std::string, std::string>>;
+NamedTexts split_parameters(const std::vector<std::string>& texts, Problems& problems);
+
 } // namespace lightbench

@@ -22,7 +22,7 @@ std::vector<PlotBox> places_around(const PlotLabel& label) {
     const glm::dvec2 size(kLetterWidth * static_cast<double>(letters(label.text)), kLabelHeight);
     const glm::dvec2 sides[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}};
     std::vector<PlotBox> places;
-    for (const double gap : {5.0, 14.0, 26.0, 42.0, 60.0})
+    for (const double gap : {7.0, 14.0, 26.0, 42.0, 60.0})
         for (const glm::dvec2& side : sides) {
             const glm::dvec2 middle = label.point + side * (gap + 0.5 * size * glm::dvec2(1, 0.6));
             places.push_back({middle - 0.5 * size, middle + 0.5 * size});
@@ -42,7 +42,7 @@ std::vector<PlotBox> place_labels(std::span<const PlotLabel> labels, const PlotB
         PlotBox best{};
         double least = 1e300;
         for (const PlotBox& place : places_around(label)) {
-            double cost = 0.2 * glm::distance(0.5 * (place.low + place.high), label.point) + 50 * outside(place, area);
+            double cost = glm::distance(glm::clamp(label.point, place.low, place.high), label.point) + 50 * outside(place, area);
             for (const PlotBox& other : taken) cost += overlap(place, other);
             if (cost < least) least = cost, best = place;
         }

@@ -229,7 +229,8 @@ std::string cost_plot(const CostReport& report, const CostCurve& curve, const st
     gather(chart, curve, metric);
     lay_out(chart, 92);
     std::string script = frame(chart, printable(fmt::format("{} ({}): {} against time", curve.knob, curve.meaning, metric)));
-    script += fmt::format("set ylabel {}\n", gnuplot_quoted(fmt::format("{} ({})", metric, unit_of(metric))));
+    script += fmt::format("set label {} at screen 0.02,{} center rotate\n", gnuplot_quoted(fmt::format("{} ({})", metric, unit_of(metric))),
+                          0.5 * (chart.area.low.y + chart.area.high.y) / kHeight);
     return run_gnuplot(script + tics('x', chart.time, chart.area.high.x - chart.area.low.x, 50) +
                        tics('y', chart.error, chart.area.high.y - chart.area.low.y, 36) + names_of_dots(chart) + drawn(chart));
 }

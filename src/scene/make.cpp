@@ -85,13 +85,6 @@ template <typename Rows> std::vector<std::string_view> names_of(const Rows& rows
     return names;
 }
 
-// "; did you mean X?" if something is near, else the list of what there is.
-std::string suggestion(std::string_view word, const std::vector<std::string_view>& names) {
-    if (names.empty()) return "; it takes none";
-    if (const auto near = nearest_name(word, names)) return fmt::format("; did you mean \"{}\"?", *near);
-    return fmt::format("; there are {}", fmt::join(names, ", "));
-}
-
 std::optional<double> parse_number(std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -2,6 +2,8 @@
 #include "scene/nearest.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <numeric>
 #include <vector>
 
@@ -37,6 +39,12 @@ std::optional<std::string_view> nearest_name(std::string_view word, std::span<co
         best = name, fewest = edits;
     }
     return best;
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> names) {
+    if (names.empty()) return "; it takes none";
+    if (const auto near = nearest_name(word, names)) return fmt::format("; did you mean \"{}\"?", *near);
+    return fmt::format("; there are {}", fmt::join(names, ", "));
 }
 
 } // namespace lightbench

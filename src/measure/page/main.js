@@ -10,7 +10,7 @@ function addMetrics(bar, curve, chart) {
 }
 
 function legend(curve) {
-    return curve.time_only ? "filled: the fastest" : "filled: on the Pareto front; triangle: error 0; dashed: has a note or did not settle";
+    return curve.time_only ? "filled: the fastest" : "filled: Pareto front; triangle: error 0; dashed: noted";
 }
 
 // Two at a time; a third takes the place of the older one.
