@@ -10,7 +10,7 @@ namespace lightbench {
 struct PlotLine {
     std::string name;
     std::vector<glm::dvec2> points;
-    unsigned color = 1, dash = 1; // numbers of gnuplot_style() and of gnuplot's dash types
+    unsigned color = 1, dash = 1; // numbers of gnuplot_style() and of gnuplot's dash types; of marks, dash 1: circles, 2: triangles
     bool marks = false;           // points instead of a line
 };
 

@@ -59,28 +59,47 @@ unsigned even(double n) {
     return 2 * static_cast<unsigned>(std::ceil(n / 2));
 }
 
+// Sideways, by up to a tenth of its side: the golden ratio and its square in two directions spread them evenly (Roberts 2018, "The
+// unreasonable effectiveness of quasirandom sequences").
+Square moved(Square s, unsigned step) {
+    const double a = std::fmod(0.5 + 0.7548776662466927 * step, 1), b = std::fmod(0.5 + 0.5698402909980532 * step, 1);
+    s.corner += (0.2 * a - 0.1) * s.u + glm::dvec3((0.2 * b - 0.1) * glm::length(s.u), 0, 0);
+    return s;
+}
+
+// Root mean square over positions: of a single one it may be anything down to 0.
+double relative_error(const Square& s, unsigned n, const DeltaFormFactors& table) {
+    constexpr unsigned kPositions = 16;
+    double sum = 0;
+    for (unsigned i = 0; i < kPositions; ++i) {
+        const Square at = moved(s, i);
+        const double error = by_hemicube(at, n, table) / closed_form(at) - 1;
+        sum += error * error;
+    }
+    return std::sqrt(sum / kPositions);
+}
+
 Plot over_resolution(const PlotValues& values) {
     const double side = values.at("side")[0], distance = values.at("distance")[0];
     Plot plot;
     plot.title = fmt::format("Hemi-cube against closed form: squares of {:g} m at {:g} m", side, distance);
     plot.notes = {
-        "Relative error of the sum of delta form factors from a point to each square. Cohen and Greenberg 1985; closed form: Lambert 1760.",
-        "It falls by fits and starts: pixels along the edges are wholly in or out."};
+        "Error of the summed delta form factors from a point to a square (Cohen and Greenberg 1985) against Lambert 1760.",
+        "Root mean square over 16 positions of the square. Its edges lie along the rows of pixels, which are in or out as a whole."};
     plot.x_key = "resolution", plot.y_key = "relative_error";
     plot.x_label = "pixels a side of the hemi-cube", plot.y_label = "relative error";
     plot.log_x = plot.log_y = true;
     const Square squares[] = {parallel_square(side, distance), perpendicular_square(side, distance)};
     for (const Square& s : squares)
         plot.lines.push_back(
-            {fmt::format("{}, closed form {:.5g}", s.name, closed_form(s)), {}, static_cast<unsigned>(plot.lines.size() + 1)});
+            {fmt::format("{}, form factor {:.5g}", s.name, closed_form(s)), {}, static_cast<unsigned>(plot.lines.size() + 1)});
     unsigned last = 0;
-    for (double wish = 8; even(wish) <= values.at("largest")[0]; wish *= 1.12) {
+    for (double wish = 8; even(wish) <= values.at("largest")[0]; wish *= 1.25) {
         const unsigned n = even(wish);
         if (n == last) continue;
         last = n;
         const DeltaFormFactors table = exact_delta_form_factors(n);
-        for (std::size_t i = 0; i < 2; ++i)
-            plot.lines[i].points.emplace_back(n, std::abs(by_hemicube(squares[i], n, table) / closed_form(squares[i]) - 1));
+        for (std::size_t i = 0; i < 2; ++i) plot.lines[i].points.emplace_back(n, relative_error(squares[i], n, table));
     }
     return plot;
 }
@@ -91,11 +110,11 @@ void add_distances(Plot& plot, double side, const std::vector<double>& resolutio
     PlotLine closed{fmt::format("{}: closed form from its center", place(1, 1).name), {}, color};
     for (int i = 0; i <= kCloses; ++i) closed.points.emplace_back(at(i, kCloses) * side, closed_form(place(side, at(i, kCloses) * side)));
     plot.lines.push_back(closed);
+    unsigned dash = 0;
     for (const double resolution : resolutions) {
         const unsigned n = even(resolution);
         const DeltaFormFactors table = exact_delta_form_factors(n);
-        PlotLine marks{
-            fmt::format("{}: hemi-cube of {} pixels", place(1, 1).name, n), {}, color + static_cast<unsigned>(plot.lines.size()), 1, true};
+        PlotLine marks{fmt::format("{}: hemi-cube of {} pixels", place(1, 1).name, n), {}, color, ++dash, true};
         for (int i = 0; i <= kMarks; ++i)
             marks.points.emplace_back(at(i, kMarks) * side, by_hemicube(place(side, at(i, kMarks) * side), n, table));
         plot.lines.push_back(marks);
@@ -106,9 +125,8 @@ Plot over_distance(const PlotValues& values) {
     const double side = values.at("side")[0];
     Plot plot;
     plot.title = fmt::format("Form factors of squares of {:g} m by hemi-cube and in closed form", side);
-    plot.notes = {"From the center of a patch (Cohen and Greenberg 1985; Lambert 1760), and between two whole parallel squares (Howell's "
-                  "catalog C-11):",
-                  "near by, the center does not stand for the patch."};
+    plot.notes = {"From the center of a patch (Cohen and Greenberg 1985, Lambert 1760), and between two squares (Howell's catalog C-11).",
+                  "Far away few pixels see the square; near by, the center does not stand for the whole patch."};
     plot.x_key = "distance_m", plot.y_key = "form_factor";
     plot.x_label = "distance in meters", plot.y_label = "form factor";
     plot.log_x = plot.log_y = true;

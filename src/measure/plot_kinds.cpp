@@ -14,7 +14,7 @@ namespace {
 
 const PlotParameter kBrdf[] = {{"incidence", "45", 0, 89.9, 4, false, "degrees between the light and the normal"},
                                {"shininess", "20", 0, 1e6, 3, false, "Phong's exponent n"},
-                               {"roughness", "0.3", 1e-3, 10, 3, false, "rms slope m of Cook-Torrance's facets"},
+                               {"roughness", "0.2", 1e-3, 10, 3, false, "rms slope m of Cook-Torrance's facets"},
                                {"index", "1.5", 1.0001, 1e3, 1, false, "index of refraction of Cook-Torrance's facets"},
                                {"scale", "largest", 0, 0, 1, false, "each lobe over its largest value, or as it is", {"largest", "none"}}};
 const PlotParameter kFresnel[] = {{"index", "1.5", 0.01, 1e3, 4, false, "index of refraction of the dielectric"},
@@ -34,7 +34,7 @@ const PlotParameter kFormFactor[] = {
     {"side", "1", 1e-3, 1e3, 1, false, "meters, of the squares"},
     {"distance", "1", 1e-3, 1e3, 1, false, "meters to the squares, where the resolution varies"},
     {"resolution", "50", 2, 1024, 2, true, "pixels a side of the hemi-cube, where the distance varies; odd ones are rounded up"},
-    {"largest", "512", 16, 1024, 1, true, "largest resolution, where it varies"}};
+    {"largest", "256", 16, 1024, 1, true, "largest resolution, where it varies"}};
 
 const PlotKind kKinds[] = {
     {"brdf", "specular lobes of Phong beside Cook-Torrance with both distributions, in the plane of incidence", kBrdf, brdf_plot},
