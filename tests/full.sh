@@ -2,7 +2,7 @@
 # The phases of `./run test --full`, for `run` to include: each is a build, a driver or a check; all are run, and one that fails fails the whole.
 # In: names of phases, none for all. Out: a line with its wall time for each, the tests counted over all, exit code 1 if any failed.
 
-all_phases=(suite format tidy clang sanitize swiftshader mesa25 width128)
+all_phases=(suite page format tidy clang sanitize swiftshader mesa25 width128)
 
 suite_cmd() { LIGHTBENCH_VALIDATION=1 ctest --test-dir "$1" -j2 --output-on-failure "${@:2}"; }
 gpu_tests='^(kernels|images|cli|viewer)\.'
@@ -14,6 +14,13 @@ build_preset() {
 }
 
 phase_suite() { run_suite; }
+
+# The report's page in a browser; without one, the suite skips these tests.
+phase_page() {
+    install_packages chromium
+    prepare_tests
+    suite_cmd "$build" -R '^page\.'
+}
 
 phase_format() {
     install_packages clang-format-16

@@ -51,8 +51,9 @@ void plot(const PlotArguments& arguments) {
     if (!problems.empty()) throw UserError(problems);
     const Plot& drawn = std::get<Plot>(made);
     if (arguments.outputs.empty()) fmt::print("{}", plot_csv(drawn));
-    for (const std::string& output : arguments.outputs)
-        write_file(output, extension_of(output) == ".svg" ? plot_svg(drawn) : plot_csv(drawn));
+    std::vector<std::string> texts; // all of them before any is written
+    for (const std::string& output : arguments.outputs) texts.push_back(extension_of(output) == ".svg" ? plot_svg(drawn) : plot_csv(drawn));
+    for (std::size_t i = 0; i < texts.size(); ++i) write_file(arguments.outputs[i], texts[i]);
 }
 
 } // namespace
