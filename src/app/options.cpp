@@ -21,6 +21,8 @@ constexpr OptionRow kOptions[] = {
     {"--method", "METHOD", "how light is computed: raster, raytrace, radiosity"},
     {"--shading", "MODE", "where the model is evaluated: flat, gouraud, phong (default)"},
     {"--subdivide", "N", "refinement levels of every surface, 0 to 8"},
+    {"--model", "NAME", "in the place of the materials' own: phong or cook-torrance, with a highlight of the same width"},
+    {"--attenuation", "LAW", "in the place of the lights' own: none, linear or inverse-square"},
     {"--size", "WxH", "pixels; default the scene's [film], else 1280x720"},
     {"--crop", "X,Y,W,H", "render this part of the image only"},
     {"--camera", "NAME", "one of the scene's cameras; default the first"},
@@ -101,6 +103,9 @@ void parse_choices(Parser& p, SceneOptions& o) {
     if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"}, {})) o.request.shading = static_cast<Shading>(*i);
     if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered", "adaptive"}, {}))
         o.request.sampling = static_cast<Sampling>(*i);
+    if (const auto i = p.choice("--model", {"phong", "cook-torrance"}, {})) o.request.model = static_cast<Model>(*i);
+    if (const auto i = p.choice("--attenuation", {"none", "linear", "inverse-square"}, {}))
+        o.request.attenuation = static_cast<Attenuation>(*i);
     if (const auto i = p.choice("--progress", {"auto", "always", "never"}, {})) o.progress = static_cast<Progress>(*i);
 }
 

@@ -1,5 +1,6 @@
 #include "plan/complete.h"
 
+#include "plan/laws.h"
 #include "scene/limits.h"
 
 #include <cmath>
@@ -159,7 +160,7 @@ glm::uvec2 image_size(const Scene& scene, const Request& request) {
 
 CompleteResult complete(Scene& scene, const Request& request) {
     CompleteResult result;
-    std::vector<Line> notes;
+    std::vector<Line> notes = replace_laws(scene, request);
     const glm::uvec2 size = image_size(scene, request);
     if (!check_size(size, result.problems)) return result;
     check_crop(request.crop, size, result.problems);

@@ -35,7 +35,7 @@ struct Completed {
     bool headlight = false; // was added
 };
 
-// Adds to `scene` what it lacks (camera, light), chooses the camera that `request` names, turns it by the turntable's frame.
+// Puts the laws that `request` names in the place of the scene's own (plan/laws.h), adds what it lacks (camera, light), chooses the camera that `request` names, turns it by the turntable's frame.
 // Returns problems for a name that no camera has, an image beyond limits, a crop outside of it, a camera without a direction.
 struct CompleteResult {
     std::optional<Completed> completed;

@@ -1,6 +1,8 @@
 // What the user asked for: the options of the command line, checked for range but not yet held against the scene.
 #pragma once
 
+#include "scene/scene.h"
+
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -50,11 +52,13 @@ struct RadiosityParameters {
 struct Request {
     Method method = Method::raster;
     Shading shading = Shading::phong;
-    std::optional<glm::uvec2> size; // absent: the scene's [film], else 1280x720
-    std::optional<Rect> crop;       // inside the image
-    std::string camera;             // name; empty: the first
-    std::optional<int> frame;       // of the turntable
-    unsigned subdivide = 0;         // 0 to 8
+    std::optional<glm::uvec2> size;         // absent: the scene's [film], else 1280x720
+    std::optional<Rect> crop;               // inside the image
+    std::string camera;                     // name; empty: the first
+    std::optional<int> frame;               // of the turntable
+    unsigned subdivide = 0;                 // 0 to 8
+    std::optional<Model> model;             // in the place of the materials' own
+    std::optional<Attenuation> attenuation; // in the place of the lights' own
     Sampling sampling = Sampling::none;
     unsigned spp = 1; // samples a pixel, a square, 1 to 1024
     std::uint32_t seed = 0;

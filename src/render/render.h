@@ -71,7 +71,8 @@ struct RenderOptions {
     std::function<void(double)> progress; // the share that is done, now and then
     std::function<bool()> stop;           // asked now and then; true: what there is becomes the image, black where there is nothing
     std::function<void(const RenderOutput&)> pass; // the image so far, after every frame but the last; of radiosity, now and then
-    std::string solution;                          // of --method radiosity: a file that it goes on from, if there is one, and that keeps it
+    bool anew = false;    // of --method radiosity: what an earlier render() solved is forgotten, so that this one can be timed
+    std::string solution; // of --method radiosity: a file that it goes on from, if there is one, and that keeps it
 };
 
 // What the plan needs of the tessellation: streams that nobody reads are not made.

@@ -154,6 +154,8 @@ bool solve_at_once(RadiosityParts& p, gpu::Recorder& recorder, gpu::Timings& tim
     if (p.full) return false;
     gpu::Buffer matrix = full_matrix(p, recorder, times);
     p.full = solve_full(p.device, p.mesh, matrix, p.light.emission, p.light.reflectance, 1e-6, 20000);
+    append(times, p.full->times);
+    p.statistics.milliseconds += milliseconds_of(p.full->times);
     p.statistics.shots = p.full->sweeps, p.statistics.closure_error = p.full->closure_error, p.statistics.unshot = 0;
     return true;
 }
@@ -193,6 +195,16 @@ void Radiosity::resume(const RadiositySolution& solution, const std::string& nam
         throw FileError(FileError::Blame::Input, fmt::format("{}: is the solution of another scene or of other parameters", name));
     p.solver->set_state(solution.state);
     p.statistics.shots = solution.state.shots, p.statistics.unshot = p.solver->ledger().unshot_fraction();
+}
+
+void Radiosity::restart() {
+    RadiosityParts& p = *parts_;
+    p.full.reset();
+    const RadiosityStatistics before = std::exchange(p.statistics, {});
+    p.statistics.patches = before.patches, p.statistics.elements = before.elements;
+    if (!p.solver) return;
+    p.solver->restart();
+    p.statistics.unshot = p.solver->ledger().unshot_fraction();
 }
 
 RadiositySolution Radiosity::solution() {

@@ -24,6 +24,9 @@ class Radiosity {
     void resume(const RadiositySolution& solution, const std::string& name);
     RadiositySolution solution();
 
+    // Forgets what was solved; what was fed stays.
+    void restart();
+
     // One submission of shots, or the full matrix. False: there is nothing left to do.
     bool advance(gpu::Recorder& recorder, gpu::Timings& times);
     const RadiosityStatistics& statistics() const;

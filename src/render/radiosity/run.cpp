@@ -56,6 +56,7 @@ gpu::Image& run_radiosity(RendererState& s, const View& view, const RenderOption
         s.radiosity->show(s.recorder, s.times, view, s.plan.size);
         return draw_radiosity(s, view, out);
     }
+    if (options.anew) s.radiosity->restart();
     if (!options.solution.empty() && std::filesystem::exists(options.solution) && s.radiosity->statistics().shots == 0)
         s.radiosity->resume(read_solution(options.solution), options.solution);
     solve_radiosity(s, view, options, out);

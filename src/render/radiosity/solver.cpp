@@ -151,9 +151,7 @@ ProgressiveSolver::ProgressiveSolver(gpu::Device& device, const PatchMesh& mesh,
     make_buffers(s);
     s.choose = make_pass(s, "radiosity/solve_choose.comp", sizeof(ChoosePush));
     s.sum_patches = make_pass(s, "radiosity/solve_tally.comp", sizeof(TallyPush));
-    std::vector<SolveState> states;
-    for (const glm::vec3& e : s.emission) states.push_back(packed({}, {}, e, {}));
-    put_states(s, states);
+    restart();
 }
 
 ProgressiveSolver::ProgressiveSolver(ProgressiveSolver&&) noexcept = default;
@@ -243,6 +241,14 @@ void ProgressiveSolver::set_state(const RadiosityState& state) {
     for (std::size_t i = 0; i < s.surfaces.size(); ++i)
         states.push_back(packed(state.received[i], carry(state.received_carry, i), state.unshot[i], carry(state.unshot_carry, i)));
     s.escaped = state.escaped, s.shots_before = state.shots;
+    put_states(s, states);
+}
+
+void ProgressiveSolver::restart() {
+    SolverState& s = *state_;
+    std::vector<SolveState> states;
+    for (const glm::vec3& e : s.emission) states.push_back(packed({}, {}, e, {}));
+    s.escaped = glm::dvec3(0), s.shots_before = 0;
     put_states(s, states);
 }
 

@@ -52,6 +52,7 @@ class ProgressiveSolver {
     unsigned last_shots(); // how many of the chosen ones really shot
     RadiosityState state();
     void set_state(const RadiosityState& state); // goes on bit for bit where it was left
+    void restart();                              // nothing is shot
     // S31: to be added to what is displayed, times rho_i. Goes to 0 with what is unshot.
     glm::vec3 ambient();
 
@@ -63,6 +64,7 @@ class ProgressiveSolver {
 struct FullSolution {
     std::vector<glm::vec3> radiosity;
     unsigned sweeps = 0;
+    gpu::Timings times;       // of the sweeps
     double closure_error = 0; // largest |1 - sum of a row| before rows above 1 were brought down to 1 (RS-1)
 };
 // Gauss-Seidel until the largest change relative to the largest radiosity is below `tolerance`. `matrix`: n * n uints, row i from element i

@@ -112,7 +112,8 @@ FullSolution solve_full(gpu::Device& device, const PatchMesh& mesh, gpu::Buffer&
     for (double change = tolerance; solution.sweeps < most_sweeps && change >= tolerance; change = last_change(radiosity)) {
         const unsigned sweeps = std::min(kSweepsOfSubmission, most_sweeps - solution.sweeps);
         for (unsigned i = 0; i < sweeps; ++i) record_sweep(f, recorder);
-        recorder.submit_and_wait();
+        const gpu::Timings times = recorder.submit_and_wait();
+        solution.times.insert(solution.times.end(), times.begin(), times.end());
         solution.sweeps += sweeps;
         radiosity = read_table<SolveRadiosity>(device, f.radiosity[f.now]);
     }

@@ -1,0 +1,177 @@
+// lightbench cost SCENE --knob NAME[=v1,v2,...] -o DIR: what accuracy costs in time. Every value of a knob is rendered, held against a reference and
+// timed; DIR gets cost.csv, cost.json and the pictures.
+#include "app/commands.h"
+#include "app/cost_knob.h"
+#include "app/cost_table.h"
+#include "app/errors.h"
+#include "app/numbers.h"
+#include "app/prepare.h"
+#include "app/stats.h"
+#include "app/validation.h"
+#include "image/file_bytes.h"
+#include "measure/report_csv.h"
+#include "measure/report_json.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <memory>
+
+namespace lightbench {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CostArguments {
+    Given given;
+    std::vector<std::string> knobs;
+    std::string folder, rounds, seconds;
+    bool list = false, strict = false;
+};
+
+// A sweep renders hundreds of pictures: as many pixels as 320 x 180, in the shape of the scene's own picture.
+std::string default_size(const Scene& scene) {
+    const glm::dvec2 size(scene.film.value_or(glm::uvec2(1280, 720)));
+    const double scale = std::min(1.0, std::sqrt(320.0 * 180.0 / (size.x * size.y)));
+    return fmt::format("{}x{}", std::max(1L, std::lround(size.x * scale)), std::max(1L, std::lround(size.y * scale)));
+}
+
+RoundLimits parse_limits(const CostArguments& a, Problems& problems) {
+    RoundLimits limits;
+    if (!a.rounds.empty()) {
+        limits.most = parse_unsigned<10000>(a.rounds).value_or(0);
+        if (limits.most == 0)
+            problems.push_back({"--rounds", 0, 0, fmt::format("\"{}\" must be a whole number from 1 to 10000", a.rounds)});
+    }
+    if (!a.seconds.empty()) {
+        const auto seconds = parse_number<0, 100000>(a.seconds);
+        if (!seconds) problems.push_back({"--seconds", 0, 0, fmt::format("\"{}\" must be a number from 0 to 100000", a.seconds)});
+        limits.milliseconds = 1000 * seconds.value_or(0);
+    }
+    return limits;
+}
+
+std::vector<KnobUse> parse_knobs(const std::vector<std::string>& texts, Problems& problems) {
+    std::vector<KnobUse> uses;
+    for (const std::string& text : texts) {
+        std::string problem;
+        const auto use = parse_knob(text, problem);
+        if (!use)
+            problems.push_back({"--knob", 0, 0, problem});
+        else if (std::ranges::find(uses, use->knob, &KnobUse::knob) != uses.end())
+            problems.push_back({"--knob", 0, 0, fmt::format("{} is there twice; list all values after one", use->knob->name)});
+        else
+            uses.push_back(*use);
+    }
+    return uses;
+}
+
+// Options of render that a report has no place for, or that would change what is timed.
+void check_options(const CostArguments& a, Problems& problems) {
+    for (const char* flag : {"--frames", "--terms", "--stats", "--count", "--solution", "--show", "--pick"})
+        if (a.given.contains(flag)) problems.push_back({flag, 0, 0, "belongs to render; cost measures whole pictures of one frame"});
+    if (!a.given.contains("SCENE")) problems.push_back({"cost", 0, 0, "SCENE is missing"});
+    if (a.knobs.empty()) problems.push_back({"--knob", 0, 0, "is missing; lightbench cost --list names the knobs"});
+    if (a.folder.empty()) problems.push_back({"-o", 0, 0, "is missing: the folder of the report"});
+    const fs::path parent = fs::absolute(a.folder).lexically_normal().parent_path();
+    std::error_code ignored;
+    if (!a.folder.empty() && !fs::is_directory(parent, ignored))
+        problems.push_back({"-o", 0, 0, fmt::format("there is no folder {}; it must exist", parent.string())});
+    if (fs::exists(a.folder, ignored) && !fs::is_directory(a.folder, ignored))
+        problems.push_back({"-o", 0, 0, fmt::format("{} is a file; it must be a folder, or not exist yet", a.folder)});
+}
+
+std::string report_command(const CostArguments& a) {
+    OptionTexts options = a.given;
+    for (const char* flag : {"--quiet", "--progress"}) options.erase(flag);
+    std::string command = "lightbench cost " + command_of(options, a.folder);
+    for (const std::string& knob : a.knobs) command += fmt::format(" --knob {}", knob);
+    if (!a.rounds.empty()) command += fmt::format(" --rounds {}", a.rounds);
+    if (!a.seconds.empty()) command += fmt::format(" --seconds {}", a.seconds);
+    return command;
+}
+
+CostReport start_report(const CostArguments& a, const SceneOptions& options, const gpu::DeviceInfo& device) {
+    CostReport report;
+    report.program = fmt::format("lightbench {}", LIGHTBENCH_VERSION);
+    report.scene = options.scene.string();
+    const glm::uvec2 size = options.request.crop ? options.request.crop->size : options.request.size.value();
+    report.width = size.x, report.height = size.y;
+    report.device = device.name, report.driver = device.driver, report.version = device.version;
+    report.command = report_command(a);
+    return report;
+}
+
+void write_report(const CostReport& report, const fs::path& folder) {
+    write_file((folder / "cost.csv").string(), cost_csv(report));
+    write_file((folder / "cost.json").string(), cost_json(report));
+    // Plots and the page: write_cost_plots(report, folder), write_file(folder / "report.html", report_html(report)).
+}
+
+struct PlannedReport {
+    SceneOptions options; // with the size
+    RoundLimits limits;
+    std::vector<PlannedKnob> knobs;
+};
+
+// Everything that can be wrong with the command line and the scene, before a device is opened.
+PlannedReport plan_report(const CostArguments& a, Scene& scene) {
+    Problems problems;
+    parse_scene_options(a.given, problems);
+    check_options(a, problems);
+    PlannedReport planned{{}, parse_limits(a, problems), {}};
+    const std::vector<KnobUse> uses = parse_knobs(a.knobs, problems);
+    if (!problems.empty()) throw UserError(problems);
+    scene = load_or_throw(a.given.find("SCENE")->second, a.given.contains("--allow-outside"));
+    OptionTexts texts = a.given;
+    texts.try_emplace("--size", default_size(scene));
+    planned.options = parse_scene_options(texts, problems);
+    for (const KnobUse& use : uses) planned.knobs.push_back(plan_knob(use, scene, texts, problems));
+    if (!problems.empty()) throw UserError(problems);
+    return planned;
+}
+
+// Returns the exit code.
+int cost(const CostArguments& a) {
+    if (a.list) return fmt::print("{}", knob_list()), 0;
+    Scene scene;
+    const PlannedReport planned = plan_report(a, scene);
+    const Messages messages{planned.options.quiet, planned.options.progress};
+    fs::create_directories(fs::path(a.folder) / "images");
+    messages.step("opening the device");
+    gpu::Device device = gpu::Device::open({planned.options.device});
+    CostReport report = start_report(a, planned.options, device.info());
+    std::size_t broken = 0;
+    for (const PlannedKnob& knob : planned.knobs) {
+        const Stopwatch watch;
+        const Swept swept = measure_knob(knob, {device, scene, a.folder, planned.limits, messages});
+        report.curves.push_back(swept.curve), broken += swept.broken;
+        fmt::print("{}", curve_table(swept.curve));
+        messages.say(fmt::format("{}: {:.1f} s", knob.knob->name, watch.milliseconds() / 1000));
+    }
+    // Knobs that are not pictures (shader functions) append their curves here.
+    write_report(report, a.folder);
+    close_and_check(std::move(device));
+    return a.strict && broken > 0 ? 1 : 0;
+}
+
+} // namespace
+
+void add_cost(CLI::App& app, int& exit_code) {
+    auto a = std::make_shared<CostArguments>();
+    CLI::App* sub = app.add_subcommand("cost", "accuracy against time: every value of a knob rendered, compared and timed");
+    declare_scene_options(*sub, a->given);
+    sub->get_option("SCENE")->required(false);
+    sub->add_option("--knob", a->knobs, "what to turn, one of --list, and its values; several --knob")
+        ->type_name("NAME[=v1,v2,...]")
+        ->expected(1)
+        ->take_all();
+    sub->add_option("-o,--output", a->folder, "folder of the report; made if it is not there")->type_name("DIR");
+    sub->add_option("--rounds", a->rounds, "runs of each value at most; default 30")->type_name("N");
+    sub->add_option("--seconds", a->seconds, "of repeating the runs of a knob at most; default 60")->type_name("S");
+    sub->add_flag("--list", a->list, "names the knobs, what they mean and what they are held against");
+    sub->add_flag("--strict", a->strict, "exit code 1 if an error rises where theory lets it fall, or a picture differs where it may not");
+    sub->callback([a, &exit_code] { exit_code = cost(*a); });
+}
+
+} // namespace lightbench

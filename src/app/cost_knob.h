@@ -1,0 +1,35 @@
+// One knob of `lightbench cost`, from its values to a measured curve with its pictures on disk.
+#pragma once
+
+#include "app/messages.h"
+#include "app/options.h"
+#include "measure/sweep.h"
+#include "render/render.h"
+
+namespace lightbench {
+
+// A knob whose values and references are all understood.
+struct PlannedKnob {
+    const Knob* knob = nullptr;
+    OptionTexts base;
+    std::vector<std::string> values;
+    std::vector<SceneOptions> variants; // one a value
+    std::array<OptionTexts, 2> reference_texts;
+    std::array<SceneOptions, 2> references;
+};
+
+// All problems of the values, before anything is rendered. `base`: the user's options and the size of the pictures.
+PlannedKnob plan_knob(const KnobUse& use, const Scene& scene, OptionTexts base, Problems& problems);
+
+struct KnobRun {
+    gpu::Device& device;
+    const Scene& scene;
+    std::string folder; // of the report; images/ is there
+    RoundLimits limits;
+    Messages messages;
+};
+
+// Renders, measures, writes the pictures. Throws UserError, gpu::EnvironmentError, FileError.
+Swept measure_knob(const PlannedKnob& planned, const KnobRun& run);
+
+} // namespace lightbench

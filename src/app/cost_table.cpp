@@ -1,0 +1,59 @@
+#include "app/cost_table.h"
+
+#include "measure/knobs.h"
+
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+std::string point_line(const CostPoint& point, const std::string& metric) {
+    std::string line = fmt::format("  {:<18}{:>10.3f}  ({:.3f} to {:.3f}, {} run{})", point.value, point.device_ms, point.q1_ms,
+                                   point.q3_ms, point.runs, point.runs == 1 ? "" : "s");
+    line = fmt::format("{:<64}", line);
+    for (const auto& [name, error] : point.errors) line += fmt::format("{:>12.4g}", error);
+    if (point.pareto.contains(metric)) line += "  front";
+    if (!point.settled) line += "  unsettled";
+    return line + (point.note.empty() ? "\n" : fmt::format("  {}\n", point.note));
+}
+
+std::string slope_line(const Slope& slope) {
+    std::string line = fmt::format("  slope{} of {} against {}: {:.3f}", slope.of.empty() ? "" : fmt::format(" ({})", slope.of),
+                                   slope.metric, slope.against, slope.measured);
+    if (slope.theory) line += fmt::format(", theory {:g}", *slope.theory);
+    return line + (slope.why.empty() ? "\n" : fmt::format(": {}\n", slope.why));
+}
+
+} // namespace
+
+std::string knob_list() {
+    std::string text;
+    for (const Knob& knob : knobs()) {
+        text += fmt::format("{:<14}{}\n", knob.name, knob.meaning);
+        text += fmt::format("  values      {}\n", knob.values);
+        if (!knob.defaults.empty()) text += fmt::format("  default     {}\n", fmt::join(knob.defaults, ", "));
+        if (knob.defaults_of) text += "  default     the radius of the scene, its half, quarter and eighth\n";
+        if (!knob.method.empty()) text += fmt::format("  method      {}\n", knob.method);
+        text += fmt::format("  reference   {}\n", knob.reference);
+    }
+    return text;
+}
+
+std::string curve_table(const CostCurve& curve) {
+    std::string text = fmt::format("{}: {}\n  reference: {}\n", curve.knob, curve.meaning, curve.reference);
+    std::string head = fmt::format("{:<64}", fmt::format("  {:<18}{:>10}  (quartiles)", "value", "ms"));
+    if (!curve.points.empty())
+        for (const auto& [metric, error] : curve.points.front().errors) head += fmt::format("{:>12}", metric.substr(0, 11));
+    text += head + "\n";
+    for (const CostPoint& point : curve.points) text += point_line(point, curve.metric);
+    if (!curve.reference_error.empty()) {
+        text += fmt::format("{:<64}", "  uncertainty of the reference");
+        for (const auto& [metric, error] : curve.reference_error) text += fmt::format("{:>12.4g}", error);
+        text += "\n";
+    }
+    for (const Slope& slope : curve.slopes) text += slope_line(slope);
+    for (const std::string& note : curve.notes) text += fmt::format("  {}\n", note);
+    return text + "\n";
+}
+
+} // namespace lightbench

@@ -1,0 +1,22 @@
+// The rows of the table of knobs, by topic, and what they are written with. Inside this room only.
+#pragma once
+
+#include "measure/knobs.h"
+
+#include <utility>
+
+namespace lightbench {
+
+std::vector<Knob> surface_knobs();
+std::vector<Knob> sampling_knobs();
+std::vector<Knob> ray_knobs();
+std::vector<Knob> radiosity_knobs();
+
+// "gouraud/2" -> "gouraud", "2"; without a slash the second is empty.
+std::pair<std::string_view, std::string_view> split_value(std::string_view value);
+std::optional<double> number_of(std::string_view text); // above 0, finite, all of the text
+void set_if_absent(OptionTexts& options, std::string_view flag, std::string_view text);
+void set(OptionTexts& options, std::string_view flag, std::string_view text);
+void unset(OptionTexts& options, std::initializer_list<std::string_view> flags);
+
+} // namespace lightbench

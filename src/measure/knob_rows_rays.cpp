@@ -1,0 +1,134 @@
+// Knobs of rays: how deep their tree grows, and what they walk through.
+#include "measure/knob_rows.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace lightbench {
+namespace {
+
+// A tree that branches is kept finite by the cut-off, one between facing mirrors by the depth.
+void refer_tree(OptionTexts& options, std::span<const std::string>, bool again) {
+    set(options, "--depth", again ? "48" : "64");
+    set(options, "--cutoff", again ? "0.001" : "0.0005");
+}
+
+constexpr std::string_view kTree = "64 levels and a cut-off of 0.0005, the same samples; its uncertainty: 48 levels and a cut-off of 0.001";
+
+bool apply_number(std::string_view value, OptionTexts& options, std::string_view flag) {
+    set(options, flag, value);
+    return number_of(value).has_value();
+}
+
+Knob depth() {
+    return {.name = "depth",
+            .meaning = "levels of the ray tree, the eye ray the first",
+            .values = "a whole number from 1 to 255",
+            .reference = kTree,
+            .method = "raytrace",
+            .defaults = {"1", "2", "3", "4", "5", "6", "8", "10"},
+            .apply = [](std::string_view value, OptionTexts& options) { return apply_number(value, options, "--depth"); },
+            .refer = refer_tree,
+            .scale =
+                [](std::string_view v) {
+                    return std::optional(Scale{"", number_of(v).value_or(1)});
+                },
+            .axis = "levels"};
+}
+
+Knob cutoff() {
+    return {.name = "cutoff",
+            .meaning = "weight below which a ray is not sent",
+            .values = "a weight above 0, at most 1",
+            .reference = kTree,
+            .method = "raytrace",
+            .defaults = {"0.5", "0.2", "0.1", "0.05", "0.02", "0.01", "0.005"},
+            .base = [](OptionTexts& options, const Scene&) { set_if_absent(options, "--depth", "64"); },
+            .apply = [](std::string_view value, OptionTexts& options) { return apply_number(value, options, "--cutoff"); },
+            .refer = refer_tree,
+            .scale =
+                [](std::string_view v) {
+                    return std::optional(Scale{"", 1 / number_of(v).value_or(1)});
+                },
+            .axis = "1 / cut-off"};
+}
+
+void refer_structure(OptionTexts& options, std::span<const std::string>, bool) {
+    unset(options, {"--accel", "--accel-param"});
+}
+
+constexpr std::string_view kStructure = "the picture by --accel bvh, which every other must equal in every bit: time is all that differs";
+
+bool apply_structure(std::string_view value, OptionTexts& options) {
+    constexpr std::string_view names[] = {"none", "bvh", "sphere-bvh", "grid", "octree"};
+    set(options, "--accel", value);
+    unset(options, {"--accel-param"});
+    return std::ranges::find(names, value) != std::end(names);
+}
+
+Knob structure() {
+    return {.name = "accel",
+            .meaning = "the structure that rays walk through",
+            .values = "none, bvh, sphere-bvh, grid or octree",
+            .reference = kStructure,
+            .method = "raytrace",
+            .defaults = {"bvh", "sphere-bvh", "grid", "octree"},
+            .time_only = true,
+            .apply = apply_structure,
+            .refer = refer_structure};
+}
+
+// "grid" with "density=4".
+bool apply_parameter(std::string_view accel, std::string_view parameter, std::string_view value, OptionTexts& options) {
+    set(options, "--accel", accel);
+    set(options, "--accel-param", fmt::format("{}={}", parameter, value));
+    return number_of(value).has_value();
+}
+
+Knob grid() {
+    return {.name = "grid-density",
+            .meaning = "cells of the grid for each primitive",
+            .values = "a number above 0, at most 1000",
+            .reference = kStructure,
+            .method = "raytrace",
+            .defaults = {"0.25", "0.5", "1", "2", "4", "8", "16", "32"},
+            .time_only = true,
+            .apply = [](std::string_view value, OptionTexts& options) { return apply_parameter("grid", "density", value, options); },
+            .refer = refer_structure};
+}
+
+Knob octree() {
+    return {.name = "octree-depth",
+            .meaning = "levels of the octree at most",
+            .values = "a whole number from 1 to 20",
+            .reference = kStructure,
+            .method = "raytrace",
+            .defaults = {"1", "2", "3", "4", "6", "8", "10"},
+            .time_only = true,
+            .apply = [](std::string_view value, OptionTexts& options) { return apply_parameter("octree", "depth", value, options); },
+            .refer = refer_structure};
+}
+
+Knob leaf() {
+    return {.name = "leaf",
+            .meaning = "primitives of a leaf at most (of an octree: of a voxel before it is split)",
+            .values = "bvh/N, sphere-bvh/N (N from 1 to 4) or octree/N",
+            .reference = kStructure,
+            .method = "raytrace",
+            .defaults = {"bvh/1", "bvh/2", "bvh/3", "bvh/4", "octree/2", "octree/4", "octree/8", "octree/16", "octree/32"},
+            .time_only = true,
+            .apply =
+                [](std::string_view value, OptionTexts& options) {
+                    const auto [head, tail] = split_value(value);
+                    return (head == "bvh" || head == "sphere-bvh" || head == "octree") && apply_parameter(head, "leaf", tail, options);
+                },
+            .refer = refer_structure};
+}
+
+} // namespace
+
+std::vector<Knob> ray_knobs() {
+    return {depth(), cutoff(), structure(), grid(), octree(), leaf()};
+}
+
+} // namespace lightbench

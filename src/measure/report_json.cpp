@@ -1,0 +1,149 @@
+#include "measure/report_json.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace lightbench {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(double x) {
+    return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
+}
+
+ordered_json json_of(const Errors& errors) {
+    ordered_json json = ordered_json::object();
+    for (const auto& [metric, error] : errors) json[metric] = json_of(error);
+    return json;
+}
+
+ordered_json json_of(const CostPoint& p) {
+    return {{"value", p.value},
+            {"errors", json_of(p.errors)},
+            {"device_ms", json_of(p.device_ms)},
+            {"q1_ms", json_of(p.q1_ms)},
+            {"q3_ms", json_of(p.q3_ms)},
+            {"runs", p.runs},
+            {"settled", p.settled},
+            {"pareto", p.pareto},
+            {"image", p.image},
+            {"command", p.command},
+            {"note", p.note}};
+}
+
+ordered_json json_of(const Slope& s) {
+    return {{"of", s.of},
+            {"metric", s.metric},
+            {"against", s.against},
+            {"measured", json_of(s.measured)},
+            {"theory", s.theory ? json_of(*s.theory) : ordered_json(nullptr)},
+            {"why", s.why}};
+}
+
+ordered_json json_of(const CostCurve& c) {
+    ordered_json points = ordered_json::array(), slopes = ordered_json::array();
+    for (const CostPoint& point : c.points) points.push_back(json_of(point));
+    for (const Slope& slope : c.slopes) slopes.push_back(json_of(slope));
+    return {{"knob", c.knob},
+            {"meaning", c.meaning},
+            {"metric", c.metric},
+            {"time_only", c.time_only},
+            {"reference",
+             {{"how", c.reference}, {"image", c.reference_image}, {"command", c.reference_command}, {"error", json_of(c.reference_error)}}},
+            {"points", points},
+            {"slopes", slopes},
+            {"notes", c.notes}};
+}
+
+double number_of(const ordered_json& json) {
+    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+Errors errors_of(const ordered_json& json) {
+    Errors errors;
+    for (const auto& [metric, error] : json.items()) errors[metric] = number_of(error);
+    return errors;
+}
+
+CostPoint point_of(const ordered_json& j) {
+    return {.value = j.at("value"),
+            .errors = errors_of(j.at("errors")),
+            .device_ms = number_of(j.at("device_ms")),
+            .q1_ms = number_of(j.at("q1_ms")),
+            .q3_ms = number_of(j.at("q3_ms")),
+            .runs = j.at("runs"),
+            .settled = j.at("settled"),
+            .pareto = j.at("pareto").get<std::set<std::string>>(),
+            .image = j.at("image"),
+            .command = j.at("command"),
+            .note = j.at("note")};
+}
+
+Slope slope_of(const ordered_json& j) {
+    Slope slope{j.at("of"), j.at("metric"), j.at("against"), number_of(j.at("measured")), std::nullopt, j.at("why")};
+    if (!j.at("theory").is_null()) slope.theory = j.at("theory").get<double>();
+    return slope;
+}
+
+CostCurve curve_of(const ordered_json& j) {
+    const ordered_json& reference = j.at("reference");
+    CostCurve curve{.knob = j.at("knob"),
+                    .meaning = j.at("meaning"),
+                    .reference = reference.at("how"),
+                    .reference_image = reference.at("image"),
+                    .reference_command = reference.at("command"),
+                    .reference_error = errors_of(reference.at("error")),
+                    .metric = j.at("metric"),
+                    .time_only = j.at("time_only"),
+                    .points = {},
+                    .slopes = {},
+                    .notes = j.at("notes").get<std::vector<std::string>>()};
+    for (const ordered_json& point : j.at("points")) curve.points.push_back(point_of(point));
+    for (const ordered_json& slope : j.at("slopes")) curve.slopes.push_back(slope_of(slope));
+    return curve;
+}
+
+CostReport report_of(const ordered_json& j) {
+    const ordered_json& device = j.at("device");
+    CostReport report{.program = j.at("program"),
+                      .scene = j.at("scene"),
+                      .width = j.at("width"),
+                      .height = j.at("height"),
+                      .device = device.at("name"),
+                      .driver = device.at("driver"),
+                      .version = device.at("version"),
+                      .command = j.at("command"),
+                      .curves = {}};
+    for (const ordered_json& curve : j.at("curves")) report.curves.push_back(curve_of(curve));
+    return report;
+}
+
+} // namespace
+
+std::string cost_json(const CostReport& report) {
+    ordered_json curves = ordered_json::array();
+    for (const CostCurve& curve : report.curves) curves.push_back(json_of(curve));
+    const ordered_json json = {{"program", report.program},
+                               {"scene", report.scene},
+                               {"width", report.width},
+                               {"height", report.height},
+                               {"device", {{"name", report.device}, {"driver", report.driver}, {"version", report.version}}},
+                               {"command", report.command},
+                               {"curves", curves}};
+    return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"; // names of files are bytes, maybe not UTF-8
+}
+
+CostReport read_cost_json(std::string_view text) {
+    try {
+        return report_of(ordered_json::parse(text));
+    } catch (const ordered_json::parse_error& error) {
+        throw ReportError(fmt::format("is no JSON (byte {})", error.byte));
+    } catch (const ordered_json::exception& error) {
+        throw ReportError(fmt::format("is no report of lightbench cost: {}", error.what()));
+    }
+}
+
+} // namespace lightbench

@@ -1,0 +1,24 @@
+// Runs of several variants in turn (A B C A B C ...), so that what drifts meanwhile hits all alike, until their medians are sure enough.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace lightbench {
+
+struct RoundLimits {
+    unsigned most = 30;           // rounds
+    double milliseconds = 60'000; // of wall time: no round begins after them
+    double share = 0.05;          // of a median, that its 95 % interval keeps within
+};
+
+struct Timed {
+    std::vector<double> milliseconds; // a run each
+    bool settled = false;
+};
+
+// `run(i)` returns the milliseconds of one run of variant i, `wall()` those since any moment. One round at least.
+std::vector<Timed> time_in_rounds(std::size_t variants, const std::function<double(std::size_t)>& run, const std::function<double()>& wall,
+                                  const RoundLimits& limits);
+
+} // namespace lightbench
