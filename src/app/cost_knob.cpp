@@ -35,6 +35,8 @@ CostCurve planned_curve(const PlannedKnob& planned) {
     for (const std::string& value : planned.values) {
         CostPoint point;
         point.value = value, point.image = image_of(knob.name, value);
+        point.options = with_value(knob, value, planned.base);
+        for (const char* flag : {"SCENE", "--quiet", "--progress"}) point.options.erase(flag);
         point.command = render_command(with_value(knob, value, planned.base), point.image);
         curve.points.push_back(std::move(point));
     }

@@ -1,5 +1,6 @@
 // lightbench render SCENE -o FILE: one image, or the frames of a turntable, each decided, tessellated and rendered on its own, so that
 // frame N is the same bytes alone and in a sequence.
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/errors.h"
 #include "app/interrupt.h"
@@ -22,12 +23,21 @@ namespace {
 struct RenderArguments {
     Given given;
     std::string output;
+    BudgetArguments budget;
 };
 
+// Options that only choose among measurements.
+void check_budget(const BudgetArguments& b, Problems& problems) {
+    if (b.wanted()) return;
+    for (const auto& [flag, text] : {std::pair{"--metric", b.metric}, {"--cost", b.cost}, {"--knob", b.knob}})
+        if (!text.empty()) problems.push_back({flag, 0, 0, "belongs to --budget or --max-error"});
+}
+
 // All problems of the command line together.
-SceneOptions check_arguments(const RenderArguments& arguments) {
+SceneOptions check_arguments(const RenderArguments& arguments, const Given& given) {
     Problems problems;
-    SceneOptions options = parse_scene_options(arguments.given, problems);
+    SceneOptions options = parse_scene_options(given, problems);
+    check_budget(arguments.budget, problems);
     const bool several = options.frames.has_value();
     check_output(arguments.output, several, problems);
     options.request.output = output_of(arguments.output).value_or(Output::pixels);
@@ -63,7 +73,8 @@ struct Run {
     Stopwatch wall;
     double load_ms = 0;
     bool interrupted = false;
-    std::optional<gpu::Device> device; // opened when the first frame is ready: a wrong camera is no reason to wait for a driver
+    std::optional<BudgetChoice> choice{}; // of --budget
+    std::optional<gpu::Device> device{};  // opened when the first frame is ready: a wrong camera is no reason to wait for a driver
 };
 
 gpu::Device& device_of(Run& run) {
@@ -72,6 +83,9 @@ gpu::Device& device_of(Run& run) {
     run.device.emplace(gpu::Device::open({run.options.device}));
     use_shaders(*run.device, run.options.shaders, run.options.sliders);
     run.messages.step("rendering on " + run.device->info().name);
+    if (run.choice)
+        if (const std::string warning = warning_of_device(*run.choice, run.device->info()); !warning.empty())
+            run.messages.say("warning: --budget: " + warning);
     return *run.device;
 }
 
@@ -142,10 +156,19 @@ void render_frames(Run& run, Scene& scene) {
     }
 }
 
+void tell(const Messages& messages, const BudgetChoice& choice) {
+    messages.say(choice.sentence);
+    if (!choice.measured_for.empty()) messages.say("warning: --budget: " + choice.measured_for);
+}
+
 // Returns the exit code.
 int render(const RenderArguments& arguments) {
-    const SceneOptions options = check_arguments(arguments);
-    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, false, {}};
+    Given given = arguments.given;
+    std::optional<BudgetChoice> choice;
+    if (arguments.budget.wanted()) choice = apply_budget(arguments.budget, given);
+    const SceneOptions options = check_arguments(arguments, given);
+    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, false, choice};
+    if (choice) tell(run.messages, *choice);
     run.messages.step("reading " + options.scene.string());
     const Stopwatch load;
     Scene scene = load_or_throw(options.scene, options.allow_outside);
@@ -164,6 +187,12 @@ void add_render(CLI::App& app, int& exit_code) {
     sub->add_option("-o,--output", arguments->output, "the picture: .png or .exr; with --frames its name holds %04d")
         ->required()
         ->type_name("FILE");
+    sub->add_option("--budget", arguments->budget.budget, "the most accurate setting that takes no longer on the device, by --cost")
+        ->type_name("TIME");
+    sub->add_option("--max-error", arguments->budget.max_error, "the cheapest setting that errs no more, by --cost")->type_name("X");
+    sub->add_option("--metric", arguments->budget.metric, "of that error; default the knob's own")->type_name("NAME");
+    sub->add_option("--cost", arguments->budget.cost, "the cost.json of lightbench cost")->type_name("FILE");
+    sub->add_option("--knob", arguments->budget.knob, "of several in --cost the one to turn")->type_name("NAME");
     sub->callback([arguments, &exit_code] { exit_code = render(*arguments); });
 }
 

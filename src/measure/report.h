@@ -19,11 +19,12 @@ struct CostPoint {
     Errors errors;     // against the curve's reference
     double device_ms = 0, q1_ms = 0, q3_ms = 0; // median and quartiles of the runs, from device timestamps
     unsigned runs = 0;
-    bool settled = false;         // the median's 95 % interval is within 5 % of it
-    std::set<std::string> pareto; // metrics in which no other point of the curve is both faster and nearer
-    std::string image;            // below the report's folder; empty for shader functions
-    std::string command;          // renders this picture again
-    std::string note;             // what a person must know of this point; often empty
+    bool settled = false;                                    // the median's 95 % interval is within 5 % of it
+    std::set<std::string> pareto;                            // metrics in which no other point of the curve is both faster and nearer
+    std::string image;                                       // below the report's folder; empty for shader functions
+    std::string command;                                     // renders this picture again
+    std::map<std::string, std::string, std::less<>> options; // of that command: "--spp", "16"; empty for shader functions
+    std::string note;                                        // what a person must know of this point; often empty
 };
 
 // How an error falls as a knob turns: the slope of a line through the logarithms.

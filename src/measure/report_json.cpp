@@ -21,17 +21,10 @@ ordered_json json_of(const Errors& errors) {
 }
 
 ordered_json json_of(const CostPoint& p) {
-    return {{"value", p.value},
-            {"errors", json_of(p.errors)},
-            {"device_ms", json_of(p.device_ms)},
-            {"q1_ms", json_of(p.q1_ms)},
-            {"q3_ms", json_of(p.q3_ms)},
-            {"runs", p.runs},
-            {"settled", p.settled},
-            {"pareto", p.pareto},
-            {"image", p.image},
-            {"command", p.command},
-            {"note", p.note}};
+    return {{"value", p.value},          {"errors", json_of(p.errors)}, {"device_ms", json_of(p.device_ms)},
+            {"q1_ms", json_of(p.q1_ms)}, {"q3_ms", json_of(p.q3_ms)},   {"runs", p.runs},
+            {"settled", p.settled},      {"pareto", p.pareto},          {"image", p.image},
+            {"command", p.command},      {"options", p.options},        {"note", p.note}};
 }
 
 ordered_json json_of(const Slope& s) {
@@ -79,6 +72,7 @@ CostPoint point_of(const ordered_json& j) {
             .pareto = j.at("pareto").get<std::set<std::string>>(),
             .image = j.at("image"),
             .command = j.at("command"),
+            .options = j.at("options").get<std::map<std::string, std::string, std::less<>>>(),
             .note = j.at("note")};
 }
 

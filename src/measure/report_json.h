@@ -5,7 +5,7 @@
 //     "knob": str, "meaning": str, "metric": str, "time_only": bool,
 //     "reference": {"how": str, "image": str, "command": str, "error": {METRIC: float}},   error: the reference's own uncertainty
 //     "points": [{"value": str, "errors": {METRIC: float}, "device_ms": float, "q1_ms": float, "q3_ms": float, "runs": int, "settled": bool,
-//                 "pareto": [METRIC], "image": str, "command": str, "note": str}],
+//                 "pareto": [METRIC], "image": str, "command": str, "options": {FLAG: str}, "note": str}],
 //     "slopes": [{"of": str, "metric": str, "against": str, "measured": float, "theory": float or null, "why": str}],
 //     "notes": [str] }] }
 //

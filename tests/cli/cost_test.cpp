@@ -1,0 +1,231 @@
+// Accuracy against time as its users type it: small sweeps, whole reports, and budgets that keep to them.
+#include "program.h"
+
+#include "image/files.h"
+
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+namespace lightbench::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Cost : public Cli {
+  protected:
+    Ran cost(std::vector<std::string> more, const std::string& text = kBall) const {
+        std::vector<std::string> arguments = {"cost", scene(text), "-o", in_folder("report"), "--rounds", "2"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+    json report() const { return json::parse(read_text(folder / "report" / "cost.json")); }
+    // The only curve of a report that was made well.
+    json curve(const std::vector<std::string>& more, const std::string& text = kBall) const {
+        const Ran ran = cost(more, text);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return report()["curves"][0];
+    }
+    std::vector<double> errors(const json& curve, const std::string& metric = "rmse") const {
+        std::vector<double> all;
+        for (const json& point : curve["points"]) all.push_back(point["errors"][metric]);
+        return all;
+    }
+};
+
+TEST_F(Cost, WritesAWholeReport) {
+    const Ran ran = cost({"--knob", "spp=uniform/1,uniform/4,jittered/16", "--knob", "shading=flat,phong", "--size", "48x36"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("spp: samples a pixel"));
+    EXPECT_THAT(ran.out, HasSubstr("uncertainty of the reference"));
+    const std::string csv = read_text(folder / "report" / "cost.csv");
+    EXPECT_TRUE(csv.starts_with("knob,value,metric,error,device_ms,q1_ms,q3_ms,runs,pareto,image\n"));
+    EXPECT_EQ(std::ranges::count(csv, '\n'), 1 + 5 * 4);
+    const json told = report();
+    EXPECT_EQ(told["width"], 48);
+    EXPECT_FALSE(told["device"]["name"].get<std::string>().empty());
+    for (const json& curve : told["curves"]) {
+        EXPECT_TRUE(fs::exists(folder / "report" / curve["reference"]["image"]));
+        EXPECT_GT(curve["reference"]["error"]["rmse"], curve["knob"] == "spp" ? 0 : -1);
+        for (const json& point : curve["points"]) {
+            const Image8 picture = std::get<Image8>(read_image(folder / "report" / point["image"]));
+            EXPECT_EQ(picture.width, 48u);
+            EXPECT_EQ(point["runs"], 2);
+            EXPECT_FALSE(point["settled"]);
+            EXPECT_GT(point["device_ms"], 0);
+            EXPECT_LE(point["q1_ms"], point["device_ms"]);
+            EXPECT_GE(point["q3_ms"], point["device_ms"]);
+        }
+        EXPECT_THAT(curve["notes"].dump(), HasSubstr("after 2 runs"));
+    }
+}
+
+// The command beside a point makes its picture: the same bytes.
+TEST_F(Cost, CommandsRepeatPictures) {
+    const json point = curve({"--knob", "spp=jittered/9", "--size", "48x36"})["points"][0];
+    const std::string command = point["command"];
+    EXPECT_THAT(command, HasSubstr("lightbench render"));
+    EXPECT_THAT(command, HasSubstr("--sampling jittered"));
+    const std::string picture = in_folder("again.png");
+    ASSERT_EQ(run({"render", in_folder("scene.toml"), "-o", picture, "--size", "48x36", "--sampling", "jittered", "--spp", "9"}).code, 0);
+    EXPECT_EQ(read_text(picture), read_text(folder / "report" / point["image"]));
+}
+
+TEST_F(Cost, ErrorsFallWithSamplesAndRefinement) {
+    const json samples = curve({"--knob", "spp=jittered/1,jittered/4,jittered/16,jittered/64", "--strict", "--size", "64x48"});
+    EXPECT_TRUE(std::ranges::is_sorted(errors(samples), std::greater())) << samples;
+    EXPECT_NEAR(samples["slopes"][0]["measured"], -0.75, 0.2);
+    EXPECT_EQ(samples["slopes"][0]["theory"], -0.75);
+    ASSERT_EQ(run({"make", "highlight", "-o", in_folder("lost.toml")}).code, 0);
+    const json refined = curve({"--knob", "shading=gouraud/1,gouraud/2,gouraud/3,gouraud/4,gouraud/5", "--strict", "--size", "96x54"},
+                               read_text(in_folder("lost.toml")));
+    EXPECT_TRUE(std::ranges::is_sorted(errors(refined), std::greater())) << refined;
+}
+
+TEST_F(Cost, StructuresGiveEqualPictures) {
+    const json structures = curve({"--knob", "accel=none,bvh,sphere-bvh,grid,octree", "--strict", "--size", "48x36"});
+    EXPECT_TRUE(structures["time_only"]);
+    EXPECT_EQ(errors(structures, "maximum"), std::vector<double>(5, 0.0));
+    const json cells = curve({"--knob", "grid-density=1,8", "--strict", "--size", "48x36"});
+    EXPECT_EQ(errors(cells), std::vector<double>(2, 0.0));
+}
+
+TEST_F(Cost, RadiosityIsSolvedAnewInEveryRun) {
+    ASSERT_EQ(run({"make", "cornell-box", "-o", in_folder("box.toml")}).code, 0);
+    const json shots = curve({"--knob", "shots=4/no-ambient,64/no-ambient", "--patch", "200", "--size", "32x32", "--strict"},
+                             read_text(in_folder("box.toml")));
+    const auto found = errors(shots);
+    EXPECT_GT(found[0], 2 * found[1]);
+    for (const json& point : shots["points"]) EXPECT_EQ(point["note"], ""); // all runs gave one picture
+    EXPECT_GT(shots["points"][1]["device_ms"].get<double>(), 1.5 * shots["points"][0]["device_ms"].get<double>());
+}
+
+TEST_F(Cost, ListNamesKnobsAndReferences) {
+    const Ran ran = run({"cost", "--list"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    for (const char* name : {"shading", "model", "attenuation", "spp", "filter", "contrast", "depth", "cutoff", "accel", "hemicube",
+                             "patch", "shots", "solver", "form-factors"})
+        EXPECT_THAT("\n" + ran.out, HasSubstr(std::string("\n") + name + " ")) << name;
+    EXPECT_THAT(ran.out, HasSubstr("1024 jittered samples a pixel"));
+}
+
+TEST_F(Cost, MistakesAreNamedTogether) {
+    const Ran ran = cost({"--knob", "sppp", "--knob", "shading=blinn", "--stats", "-", "--rounds", "0"});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("there is no knob \"sppp\"; did you mean \"spp\"?"));
+    EXPECT_THAT(ran.err, HasSubstr("\"blinn\" is no value of shading"));
+    EXPECT_THAT(ran.err, HasSubstr("--stats: belongs to render"));
+    EXPECT_THAT(ran.err, HasSubstr("--rounds: \"0\" must be"));
+    const Ran range = cost({"--knob", "spp=4,15", "--knob", "depth=0.5", "--knob", "hemicube", "--method", "raytrace"});
+    EXPECT_EQ(range.code, 2);
+    EXPECT_THAT(range.err, HasSubstr("--knob spp=15: --spp: \"15\" must be a square"));
+    EXPECT_THAT(range.err, HasSubstr("--knob depth=0.5: --depth"));
+    EXPECT_THAT(range.err, HasSubstr("--knob hemicube: belongs to --method radiosity, but --method is raytrace"));
+    EXPECT_FALSE(fs::exists(folder / "report"));
+    EXPECT_THAT(run({"cost", "--knob", "spp"}).err, HasSubstr("SCENE is missing"));
+}
+
+// A scene that the method cannot draw would be measured with another one.
+TEST_F(Cost, AFallbackIsNotMeasured) {
+    const Ran ran = run({"cost", scene("[[material]]\nname = \"grey\"\n[[object]]\nshape = \"sphere\"\nmaterial = \"grey\"\n"), "-o",
+                         in_folder("report"), "--knob", "hemicube=16", "--size", "32x32"});
+    EXPECT_EQ(ran.code, 2);
+    EXPECT_THAT(ran.err, HasSubstr("not drawn by the method that the knob belongs to"));
+}
+
+// A front that is known: three points, made up.
+class Budget : public Cost {
+  protected:
+    Budget() {
+        const auto point = [](const char* value, double ms, double rmse, bool front) {
+            return json{{"value", value},
+                        {"errors", {{"rmse", rmse}}},
+                        {"device_ms", ms},
+                        {"q1_ms", ms},
+                        {"q3_ms", ms},
+                        {"runs", 9},
+                        {"settled", true},
+                        {"pareto", front ? json{"rmse"} : json::array()},
+                        {"image", ""},
+                        {"command", ""},
+                        {"options", {{"--seed", "7"}}},
+                        {"note", ""}};
+        };
+        const json curve = {{"knob", "spp"},
+                            {"meaning", ""},
+                            {"metric", "rmse"},
+                            {"time_only", false},
+                            {"reference", {{"how", ""}, {"image", ""}, {"command", ""}, {"error", json::object()}}},
+                            {"points",
+                             {point("uniform/1", 10, 0.3, true), point("jittered/4", 20, 0.1, true), point("uniform/4", 30, 0.2, false),
+                              point("jittered/16", 40, 0.02, true)}},
+                            {"slopes", json::array()},
+                            {"notes", json::array()}};
+        const json report = {{"program", "lightbench"},
+                             {"scene", in_folder("scene.toml")},
+                             {"width", 64},
+                             {"height", 48},
+                             {"device", {{"name", "another"}, {"driver", "x"}, {"version", "1"}}},
+                             {"command", ""},
+                             {"curves", {curve}}};
+        write_text(in_folder("cost.json"), report.dump());
+    }
+    Ran render(std::vector<std::string> more) const {
+        std::vector<std::string> arguments = {"render", scene(kBall), "-o", in_folder("x.png"), "--size", "64x48"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+    Ran choose(std::vector<std::string> more) const {
+        more.insert(more.end(), {"--cost", in_folder("cost.json")});
+        return render(more);
+    }
+};
+
+TEST_F(Budget, PicksWhatTheFrontSays) {
+    const Ran time = choose({"--budget", "25ms"});
+    ASSERT_EQ(time.code, 0) << time.err;
+    EXPECT_THAT(time.err,
+                HasSubstr("spp=jittered/4, 20 ms (20 to 20), rmse 0.1: the most accurate of the 3 points on the front that fit 25 ms"));
+    EXPECT_THAT(time.err, HasSubstr("it was measured on another (1), and this is"));
+    const std::string picture = read_text(in_folder("x.png"));
+    ASSERT_EQ(render({"--sampling", "jittered", "--spp", "4"}).code, 0);
+    EXPECT_EQ(read_text(in_folder("x.png")), picture);
+    EXPECT_THAT(choose({"--max-error", "0.1"}).err, HasSubstr("spp=jittered/4"));
+    EXPECT_THAT(choose({"--max-error", "0.05", "--budget", "0.04s"}).err, HasSubstr("spp=jittered/16"));
+    EXPECT_THAT(choose({"--budget", "45", "--size", "128x48"}).err, HasSubstr("spp=jittered/4, 40 ms")); // twice the pixels
+}
+
+TEST_F(Budget, OffersTheNearestWhereNothingFits) {
+    const Ran fast = choose({"--budget", "5ms"});
+    EXPECT_EQ(fast.code, 2);
+    EXPECT_THAT(fast.err, HasSubstr("fits 5 ms; the nearest is spp=uniform/1, 10 ms (10 to 10), rmse 0.3"));
+    EXPECT_EQ(choose({"--max-error", "0.001"}).code, 2);
+    EXPECT_FALSE(fs::exists(in_folder("x.png")));
+}
+
+TEST_F(Budget, MistakesAreNamed) {
+    EXPECT_THAT(render({"--budget", "5ms"}).err, HasSubstr("--cost: is missing"));
+    EXPECT_THAT(render({"--cost", "x"}).err, HasSubstr("--cost: belongs to --budget or --max-error"));
+    EXPECT_THAT(choose({"--budget", "fast"}).err, HasSubstr("--budget: \"fast\" must be a time, like 50ms"));
+    EXPECT_THAT(choose({"--budget", "5ms", "--knob", "sp"}).err, HasSubstr("did you mean \"spp\"?"));
+    EXPECT_THAT(choose({"--budget", "25ms", "--metric", "flip"}).err, HasSubstr("no point of spp"));
+    write_text(in_folder("cost.json"), "{}");
+    const Ran wrong = choose({"--budget", "5ms"});
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_THAT(wrong.err, HasSubstr("is no report of lightbench cost"));
+}
+
+TEST_F(Cost, LawsReplaceTheScenesOwn) {
+    const json laws = curve({"--knob", "attenuation", "--knob", "model", "--size", "48x36"});
+    EXPECT_GT(errors(laws)[0], 0.01); // none
+    EXPECT_EQ(errors(laws)[2], 0);    // the reference itself
+    const auto models = errors(report()["curves"][1]);
+    EXPECT_EQ(models[0], 0);
+    EXPECT_GT(models[1], 0.001);
+}
+
+} // namespace
+} // namespace lightbench::cli
