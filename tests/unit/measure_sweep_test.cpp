@@ -28,12 +28,18 @@ struct Made {
     double milliseconds;
 };
 
+CostPoint named(const std::string& value) {
+    CostPoint point;
+    point.value = value, point.image = fmt::format("images/{}.png", value);
+    return point;
+}
+
 // Times wobble by a percent, as times do.
 Swept sweep_made(const std::string& knob_name, const std::vector<Made>& made) {
     const Knob& knob = *find_knob(knob_name);
     CostCurve curve;
     curve.knob = knob_name, curve.metric = "rmse", curve.time_only = knob.time_only;
-    for (const Made& m : made) curve.points.push_back({.value = m.value, .image = "images/" + m.value + ".png"});
+    for (const Made& m : made) curve.points.push_back(named(m.value));
     unsigned calls = 0;
     const SweepRunner runner{
         .run =
@@ -85,7 +91,7 @@ TEST(Sweep, FitsSlopesByGroupAndSeesRises) {
 TEST(Sweep, SaysWhatItCannotKnow) {
     const Knob& knob = *find_knob("spp");
     CostCurve curve;
-    curve.metric = "rmse", curve.points = {{.value = "4"}};
+    curve.metric = "rmse", curve.points = {named("4")};
     unsigned calls = 0;
     const SweepRunner runner{.run =
                                  [&](std::size_t) {
