@@ -1,5 +1,5 @@
 // lightbench cost SCENE --knob NAME[=v1,v2,...] -o DIR: what accuracy costs in time. Every value of a knob is rendered, held against a reference and
-// timed; DIR gets cost.csv, cost.json and the pictures.
+// timed; DIR gets cost.csv, cost.json, the plots, report.html and the pictures.
 #include "app/commands.h"
 #include "app/cost_knob.h"
 #include "app/cost_table.h"
@@ -10,7 +10,9 @@
 #include "app/validation.h"
 #include "image/file_bytes.h"
 #include "measure/report_csv.h"
+#include "measure/report_html.h"
 #include "measure/report_json.h"
+#include "measure/report_svg.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -105,7 +107,8 @@ CostReport start_report(const CostArguments& a, const SceneOptions& options, con
 void write_report(const CostReport& report, const fs::path& folder) {
     write_file((folder / "cost.csv").string(), cost_csv(report));
     write_file((folder / "cost.json").string(), cost_json(report));
-    // Plots and the page: write_cost_plots(report, folder), write_file(folder / "report.html", report_html(report)).
+    write_cost_plots(report, folder);
+    write_file((folder / "report.html").string(), report_html(report, folder));
 }
 
 struct PlannedReport {
