@@ -17,12 +17,23 @@ double outside(const PlotBox& box, const PlotBox& area) {
     return over.x + over.y;
 }
 
+double gap_between(const PlotBox& box, const glm::dvec2& point) {
+    return glm::distance(glm::clamp(point, box.low, box.high), point);
+}
+
+// Beside another point a name would be read as that one's.
+double confusion(const PlotBox& box, std::span<const PlotLabel> labels, const PlotLabel& own) {
+    double sum = 0;
+    for (const PlotLabel& other : labels) sum += &other == &own ? 0 : 2 * std::max(0.0, 14 - gap_between(box, other.point));
+    return sum;
+}
+
 // Eight directions, right above first, at growing distances.
 std::vector<PlotBox> places_around(const PlotLabel& label) {
     const glm::dvec2 size(kLetterWidth * static_cast<double>(letters(label.text)), kLabelHeight);
     const glm::dvec2 sides[] = {{1, 1}, {1, -1}, {-1, 1}, {-1, -1}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}};
     std::vector<PlotBox> places;
-    for (const double gap : {7.0, 14.0, 26.0, 42.0, 60.0})
+    for (const double gap : {8.0, 15.0, 26.0, 42.0, 60.0})
         for (const glm::dvec2& side : sides) {
             const glm::dvec2 middle = label.point + side * (gap + 0.5 * size * glm::dvec2(1, 0.6));
             places.push_back({middle - 0.5 * size, middle + 0.5 * size});
@@ -42,7 +53,7 @@ std::vector<PlotBox> place_labels(std::span<const PlotLabel> labels, const PlotB
         PlotBox best{};
         double least = 1e300;
         for (const PlotBox& place : places_around(label)) {
-            double cost = glm::distance(glm::clamp(label.point, place.low, place.high), label.point) + 50 * outside(place, area);
+            double cost = gap_between(place, label.point) + confusion(place, labels, label) + 50 * outside(place, area);
             for (const PlotBox& other : taken) cost += overlap(place, other);
             if (cost < least) least = cost, best = place;
         }

@@ -176,6 +176,10 @@ void Browser::resize(unsigned width, unsigned height) {
     call("Emulation.setDeviceMetricsOverride", {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}});
 }
 
+void Browser::prefer_dark() {
+    call("Emulation.setEmulatedMedia", {{"features", {{{"name", "prefers-color-scheme"}, {"value", "dark"}}}}});
+}
+
 void Browser::screenshot(const std::filesystem::path& file) {
     std::ofstream(file, std::ios::binary) << decoded(call("Page.captureScreenshot", {{"format", "png"}}).at("data"));
 }

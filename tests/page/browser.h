@@ -26,6 +26,7 @@ class Browser {
     void click(double x, double y);
     void key(const std::string& name);
     void resize(unsigned width, unsigned height);
+    void prefer_dark();
     void screenshot(const std::filesystem::path& file);
 
     std::vector<std::string> requests;   // addresses other than data: that were asked for

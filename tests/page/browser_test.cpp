@@ -49,7 +49,6 @@ class Page : public ::testing::Test {
                                           selector));
         return {box[0], box[1]};
     }
-    // Before the click, all points are in view: scrolling moves them.
     void click(const std::string& selector) {
         const auto [x, y] = middle(selector);
         browser->click(x, y);
@@ -141,6 +140,15 @@ TEST_F(Page, FitsANarrowWindow) {
     open(sample_report());
     EXPECT_EQ(browser->evaluate("document.documentElement.scrollWidth"), 420);
     keep("narrow");
+    expect_no_complaints();
+}
+
+TEST_F(Page, IsDarkWhereThatIsPreferred) {
+    browser->prefer_dark();
+    open(sample_report());
+    EXPECT_EQ(browser->evaluate("getComputedStyle(document.body).backgroundColor"), "rgb(23, 23, 26)");
+    middle("#curve-2 .chart");
+    keep("dark");
     expect_no_complaints();
 }
 

@@ -77,7 +77,7 @@ function frontOf(at) {
 
 // What names should not cover: points, their bars, the steps of the front.
 function obstaclesIn(at) {
-    const boxes = at.dots.flatMap((d) => [{ x0: d.x - 7, x1: d.x + 7, y0: d.y - 7, y1: d.y + 7 },
+    const boxes = at.dots.flatMap((d) => [{ x0: d.x - 8, x1: d.x + 8, y0: d.y - 8, y1: d.y + 8 },
         { x0: at.x(d.point.q1 || d.point.ms), x1: at.x(d.point.q3 || d.point.ms), y0: d.y - 2, y1: d.y + 2 }]);
     for (const [a, b] of d3.pairs(frontOf(at))) {
         boxes.push({ x0: a.x, x1: b.x, y0: a.y - 1, y1: a.y + 1 });
