@@ -35,7 +35,7 @@ function layOut(curve, metric, width) {
     const dots = points.map((point) => {
         const error = point.errors[metric], edge = !curve.time_only && error === 0 && y.base !== undefined;
         const best = curve.time_only ? point.pareto.length > 0 : point.pareto.includes(metric);
-        return { point, best, edge, x: x(point.ms), y: curve.time_only ? y(point.index) : edge ? range[0] : y(error), name: shortened(point.value, 24) };
+        return { point, best, edge, x: x(point.ms), y: curve.time_only ? y(point.index) : edge ? range[0] - 6 : y(error), name: shortened(point.value, 24) };
     });
     return { x, y, dots, left, width, height, base: range[0] };
 }
@@ -50,6 +50,10 @@ function ticksOf(scale, room) {
     return choices.map(([digits, step]) => within(digits, step)).find((ticks) => ticks.length <= count) || [];
 }
 
+function tickText(value) {
+    return value !== 0 && (Math.abs(value) < 1e-3 || Math.abs(value) >= 1e5) ? value.toExponential() : d3.format("~g")(value);
+}
+
 function drawGrid(svg, at, curve) {
     const lines = (axis, scale, room, size) => axis.tickValues(ticksOf(scale, room)).tickSize(size).tickFormat("");
     svg.append("g").attr("class", "axis grid").attr("transform", `translate(0,${at.base})`).call(lines(d3.axisBottom(at.x), at.x, 52, kMargin.top - at.base));
@@ -60,11 +64,11 @@ function drawGrid(svg, at, curve) {
 
 function drawAxes(svg, at, curve, metric) {
     drawGrid(svg, at, curve);
-    const bottom = d3.axisBottom(at.x).tickValues(ticksOf(at.x, 52)).tickFormat(d3.format("~g")).tickSizeOuter(0);
+    const bottom = d3.axisBottom(at.x).tickValues(ticksOf(at.x, 52)).tickFormat(tickText).tickSizeOuter(0);
     svg.append("g").attr("class", "axis").attr("transform", `translate(0,${at.base})`).call(bottom);
     const side = d3.axisLeft(at.y).tickSizeOuter(0);
     if (curve.time_only) side.tickFormat((i) => shortened(curve.points[i].value, 22));
-    else side.tickValues(ticksOf(at.y, 34)).tickFormat(d3.format("~g"));
+    else side.tickValues(ticksOf(at.y, 34)).tickFormat(tickText);
     svg.append("g").attr("class", "axis").attr("transform", `translate(${at.left},0)`).call(side);
     svg.append("text").attr("x", (at.left + at.width) / 2).attr("y", at.height - 6).attr("text-anchor", "middle").text("time on the device in ms (bars: quartiles)");
     if (curve.time_only) return;
