@@ -164,6 +164,7 @@ std::vector<PlotBox> obstacles_in(const Chart& chart) {
 
 std::string names_of_dots(const Chart& chart) {
     std::vector<PlotLabel> labels;
+    labels.reserve(chart.dots.size());
     for (const Dot& dot : chart.dots)
         labels.push_back({shortened(printable(dot.point->value), 28), chart.pixel(dot.point->device_ms, dot.error)});
     const std::vector<PlotBox> boxes = place_labels(labels, chart.area, obstacles_in(chart));
