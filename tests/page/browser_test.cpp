@@ -9,6 +9,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <memory>
 #include <unistd.h>
 
@@ -140,6 +141,16 @@ TEST_F(Page, FitsANarrowWindow) {
     open(sample_report());
     EXPECT_EQ(browser->evaluate("document.documentElement.scrollWidth"), 420);
     keep("narrow");
+    expect_no_complaints();
+}
+
+TEST_F(Page, APointWithoutAFiniteErrorIsSaidToBeMissing) {
+    CostReport report = sample_report();
+    report.curves[0].points[2].errors["rmse"] = std::numeric_limits<double>::infinity();
+    open(report);
+    EXPECT_EQ(browser->evaluate("document.querySelector('#curve-0 .missing').textContent"),
+              "not drawn: 1 of 10 points, without a finite rmse");
+    EXPECT_EQ(browser->evaluate("document.querySelectorAll('.missing').length"), 1);
     expect_no_complaints();
 }
 

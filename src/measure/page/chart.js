@@ -109,6 +109,14 @@ function drawNames(svg, at, curve) {
     });
 }
 
+// A point without a place is said to be missing.
+function drawMissing(svg, at, curve, metric) {
+    const missing = curve.points.length - at.dots.length;
+    if (missing === 0) return;
+    svg.append("text").attr("class", "missing").attr("x", at.width - kMargin.right).attr("y", kMargin.top + 10).attr("text-anchor", "end")
+        .text(`not drawn: ${missing} of ${curve.points.length} points, without a finite ${curve.time_only ? "time" : metric}`);
+}
+
 function drawDots(svg, at, metric, on) {
     const symbol = (d) => d3.symbol().type(d.edge ? d3.symbolTriangle : d3.symbolCircle).size(70)();
     const dots = svg.selectAll(".dot").data(at.dots).join("g")
@@ -139,6 +147,7 @@ function makeChart(host, curve, on) {
         drawAxes(svg, at, curve, metric);
         drawNoiseAndFront(svg, at, curve);
         drawNames(svg, at, curve);
+        drawMissing(svg, at, curve, metric);
         drawDots(svg, at, metric, on);
     };
     new ResizeObserver(() => {

@@ -1,6 +1,6 @@
 // The picture beside a chart: of the point that is looked at, or two chosen ones with a seam that is moved between them.
 function figures(number) {
-    return number === null || number === undefined ? "none" : Number(number).toPrecision(4).replace(/\.?0+(e|$)/, "$1");
+    return number === null || number === undefined ? "not finite" : Number(number).toPrecision(4).replace(/\.?0+(e|$)/, "$1");
 }
 
 function describe(point) {
