@@ -3,18 +3,17 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#include "lib/contrast.glsl"
 #include "raytrace/lattice.glsl"
 
 layout(set = 0, binding = 0, scalar) readonly buffer Lattice { vec4 radiance[]; };
 layout(set = 0, binding = 1, scalar) buffer States { uint states[]; };
 
-// C = (Imax - Imin) / (Imax + Imin) above its threshold, in some channel; without the division, whose 0/0 of a black cell is no number
-// (AA-1). What is no number compares false: not split; the census of the picture reports it.
+// In some channel.
 bool is_rough(vec3 a, vec3 b, vec3 c, vec3 d) {
     vec3 high = max(max(a, b), max(c, d)), low = min(min(a, b), min(c, d));
-    precise vec3 sum = high + low, difference = high - low, most = push.contrast * sum;
     for (int i = 0; i < 3; ++i)
-        if (sum[i] > 0.0 && difference[i] > most[i]) return true;
+        if (contrast_exceeds(high[i], low[i], push.contrast[i])) return true;
     return false;
 }
 

@@ -20,6 +20,7 @@ void add_gallery(CLI::App& app, int& exit_code);
 void add_probe(CLI::App& app, int& exit_code);
 void add_plot(CLI::App& app, int& exit_code);
 void add_cost(CLI::App& app, int& exit_code);
+void add_numerics(CLI::App& app, int& exit_code);
 void add_later(CLI::App& app, int& exit_code); // the names of what this version does not do yet
 
 } // namespace lightbench

@@ -8,7 +8,7 @@
 namespace lightbench {
 
 void add_later(CLI::App& app, int&) {
-    for (const char* name : {"view", "numerics"}) {
+    for (const char* name : {"view"}) {
         CLI::App* sub = app.add_subcommand(name, "not in this version yet");
         sub->allow_extras();
         sub->callback([name] { throw UserError(fmt::format("lightbench {}", name), "not in this version yet"); });

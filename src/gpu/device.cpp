@@ -66,7 +66,8 @@ std::vector<vk::raii::PhysicalDevice> enumerate(const vk::raii::Instance& instan
     }
 }
 
-// What we require (device_choice.cpp), and of the rest what is there and harmless: 32-bit indices, a run a sample, unlike targets.
+// What we require (device_choice.cpp), and of the rest what is there and harmless: 32-bit indices, a run a sample, unlike targets,
+// doubles in measurements.
 vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint32_t family) {
     const vk::PhysicalDeviceFeatures has = physical.getFeatures();
     const float priority = 1;
@@ -77,7 +78,8 @@ vk::raii::Device make_device(const vk::raii::PhysicalDevice& physical, std::uint
                                                .features = {.fullDrawIndexUint32 = has.fullDrawIndexUint32,
                                                             .independentBlend = has.independentBlend,
                                                             .sampleRateShading = has.sampleRateShading,
-                                                            .fragmentStoresAndAtomics = true}};
+                                                            .fragmentStoresAndAtomics = true,
+                                                            .shaderFloat64 = has.shaderFloat64}};
     return {physical, vk::DeviceCreateInfo{.pNext = &features, .queueCreateInfoCount = 1, .pQueueCreateInfos = &queue}};
 }
 

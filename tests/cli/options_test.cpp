@@ -129,7 +129,7 @@ TEST_F(Cli, HelpAndVersionAreEverywhere) {
 }
 
 TEST_F(Cli, WhatThisVersionLacksSaysSo) {
-    for (const char* name : {"view", "numerics"}) {
+    for (const char* name : {"view"}) {
         const Ran ran = run({name, "scene.toml", "--knob", "spp"});
         EXPECT_EQ(ran.code, 2);
         EXPECT_EQ(ran.err, "lightbench " + std::string(name) + ": not in this version yet\n");

@@ -1,44 +1,10 @@
 // Cook-Torrance's factors against SPEC S6 in double and 60 digits: CT-4 to CT-8.
-#include "facets.h"
+#include "kernel_test.h"
+#include "measure/numerics/facets.h"
 
 namespace lightbench::kernels {
 
 namespace {
-
-Oracle facet_oracle(Facets d) {
-    return oracle([=](auto in) {
-        using T = std::remove_cvref_t<decltype(in[0])>;
-        const Vec<T> h = sum(vec_at(in, 3), vec_at(in, 6));
-        const T nl = dot(vec_at(in, 0), vec_at(in, 3)), nv = dot(vec_at(in, 0), vec_at(in, 6));
-        if (nl < 0x1p-126 || nv < 0x1p-126 || dot(h, h) < 1e-12) return T(0);
-        return facet_terms(d, in).value();
-    });
-}
-
-// What 3 u of the products that make it up are of a dot product.
-double dot_error(std::span<const double> in, std::size_t a, std::size_t b) {
-    double magnitudes = 0, product = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        magnitudes += std::abs(in[a + i] * in[b + i]);
-        product += in[a + i] * in[b + i];
-    }
-    return product > 4 * kU * magnitudes ? 3 * magnitudes / product : 1e30;
-}
-
-// As cook_torrance.glsl states it, the errors of N.L and N.V being what they are here.
-const double kBase = 13, kSlope = 8;
-Bound facet_bound(Facets d) {
-    return Bound::function([=](std::span<const float> in, double expected) {
-        const std::vector<double> wide(in.begin(), in.end());
-        const std::span<const double> x(wide);
-        const double dots = std::max(dot_error(x, 0, 3), dot_error(x, 0, 6));
-        if (dots > 1e29) return 1e30; // on the terminator either side is right
-        const FacetTerms<double> t = facet_terms(d, x);
-        const double e = t.exponent, turned = std::sqrt(e) / (1000 * wide[9]);
-        const double ends = std::abs(e - 87.3) < 0.1 ? 2e-38 * t.spread * t.open : 0; // exp_negative stops there
-        return (kBase + kSlope * e + 2 * turned + (1 + 2 * e) * dots) * kU * expected + ends + 2e-38 * (1 + t.open);
-    });
-}
 
 const Facets kBoth[] = {Facets::gaussian, Facets::beckmann};
 
@@ -75,23 +41,17 @@ void expect_finite(const KernelRun& run) {
 } // namespace
 
 TEST_F(Kernel, CookTorranceGaussian) {
-    for (unsigned seed : seeds()) {
-        const Inputs in = facets(kMillion, seed, Facets::gaussian);
-        expect_within(run_facets(device, Facets::gaussian, in), facet_oracle(Facets::gaussian), facet_bound(Facets::gaussian));
-    }
+    expect_rows(device, "cook_torrance_gaussian");
 }
 
 TEST_F(Kernel, CookTorranceBeckmann) {
-    for (unsigned seed : seeds()) {
-        const Inputs in = facets(kMillion, seed, Facets::beckmann);
-        expect_within(run_facets(device, Facets::beckmann, in), facet_oracle(Facets::beckmann), facet_bound(Facets::beckmann));
-    }
+    expect_rows(device, "cook_torrance_beckmann");
 }
 
 TEST_F(Kernel, CookTorranceGrazing) {
     for (Facets d : kBoth) {
         const KernelRun run = run_facets(device, d, grazing());
-        expect_within(run, facet_oracle(d), facet_bound(d));
+        expect_claims(run, kernel_of(d));
         expect_finite(run);
     }
 }
@@ -100,8 +60,9 @@ TEST_F(Kernel, CookTorranceGrazing) {
 TEST_F(Kernel, CookTorranceIn60Digits) {
     if (seeds().size() == 1) GTEST_SKIP() << "minutes: LIGHTBENCH_LONG_TESTS=1";
     for (Facets d : kBoth) {
-        const Oracle slow{facet_oracle(d).in_60_digits, facet_oracle(d).in_60_digits};
-        expect_within(run_facets(device, d, facets(50'000, 11, d)), slow, facet_bound(d));
+        const Claim claim = row_of(kernel_of(d)).claims[0];
+        const Oracle slow{claim.oracle.in_60_digits, claim.oracle.in_60_digits};
+        expect_within(run_facets(device, d, facets(50'000, 11, d)), slow, claim.allowed);
     }
 }
 

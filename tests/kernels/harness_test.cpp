@@ -1,7 +1,10 @@
 // The tests of the tests: what is wrong is reported, with the worst input in full.
 #include "kernel_test.h"
 
+#include "measure/numerics/findings.h"
+
 #include <gmock/gmock.h>
+#include <set>
 
 namespace lightbench::kernels {
 
@@ -42,6 +45,31 @@ TEST_F(Kernel, MissingInvocationIsReported) {
     const Verdict verdict = judge(run_kernel(device, "forgetful", grid(1, 2, 1000) + only({-3})), same, Bound::exact());
     EXPECT_FALSE(verdict.holds);
     EXPECT_THAT(verdict.message, HasSubstr("1 of 1001 invocations did not finish, the first at (-0x1.8p+1)"));
+}
+
+// The table of the program: a bound that is too small, or an oracle that is wrong, is a violated row.
+TEST_F(Kernel, WrongRowIsReported) {
+    Row row = row_of("attenuation_linear");
+    EXPECT_TRUE(run_rows(device, {row}, kQuickInputs).at(0).verdict.holds);
+    row.claims = {{"bound too small", "relative u/8", row.claims[0].oracle, Bound::relative(kU / 8)},
+                  {"wrong oracle", "relative 4 u", kWrong, Bound::relative(4 * kU)}};
+    for (const Finding& finding : run_rows(device, {row}, kQuickInputs)) {
+        EXPECT_FALSE(finding.verdict.holds) << finding.what;
+        EXPECT_GT(finding.verdict.share, 1) << finding.what;
+        EXPECT_GT(finding.verdict.outside, 0u);
+        EXPECT_EQ(finding.verdict.where.size(), 2u);
+    }
+}
+
+// Every function has its rows once: no two of the same domain, none without a claim.
+TEST(Rows, AreOneADomain) {
+    std::set<std::string> seen;
+    for (const Row& row : all_rows()) {
+        EXPECT_TRUE(seen.insert(row.function + " over " + row.domain).second) << row.function;
+        EXPECT_FALSE(row.claims.empty()) << row.function;
+        EXPECT_EQ(find_kernel(row.kernel).name, row.kernel + ".comp");
+        EXPECT_EQ(row.inputs(64 * 64, 1).values, row.inputs(64 * 64, 1).values) << "the same seed gives the same numbers";
+    }
 }
 
 // Tuples of another length than the kernel reads would be judged by the wrong numbers.

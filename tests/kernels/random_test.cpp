@@ -41,6 +41,10 @@ constexpr double kLimit =
 
 } // namespace
 
+TEST_F(Kernel, RandomUnit4) {
+    expect_rows(device, "random_unit4");
+}
+
 TEST_F(Kernel, RandomIsInRange) {
     const KernelRun run = run_kernel(device, "random_unit4", row_of_keys(0, kMillion, 1), 4);
     const auto worst = [](std::span<const float>, std::span<const float> out) {

@@ -1,6 +1,6 @@
 // Rays and truncated cones against sections of a convex function in double: CY-1, CY-2, CO-1, CO-2, CO-3.
 #include "kernel_test.h"
-#include "lines.h"
+#include "measure/numerics/shapes.h"
 
 #include <algorithm>
 
@@ -8,66 +8,7 @@ namespace lightbench::kernels {
 
 namespace {
 
-// How far a point is outside of the mantle and of the slab; both grow as convex functions along any line.
-struct Cone {
-    double mean, slope;
-    double mantle(const Vec3& p) const { return (std::hypot(p.x, p.y) - (mean + slope * p.z)) / std::hypot(1.0, slope); }
-    double slab(const Vec3& p) const { return std::abs(p.z) - 1; }
-    double outside(const Vec3& p) const { return std::max(mantle(p), slab(p)); }
-};
-
-Cone cone_of(float r0, float r1) {
-    return {0.5 * (static_cast<double>(r0) + static_cast<double>(r1)), 0.5 * (static_cast<double>(r1) - static_cast<double>(r0))};
-}
-
-// Where the line goes in and out of the solid, and how deep it gets.
-struct Passage {
-    double deepest = 0, depth = 0, enter = 0, leave = 0;
-};
-
-Passage passage(const Line& line, const Cone& cone) {
-    const auto outside = [&](double t) { return cone.outside(line.at(t)); };
-    const double middle = line.nearest(), around = 2 / length(line.d), low = middle - around, high = middle + around;
-    Passage way;
-    way.deepest = least_between(low, high, outside);
-    way.depth = -outside(way.deepest);
-    way.enter = root_between(low, way.deepest, outside);
-    way.leave = root_between(high, way.deepest, outside);
-    return way;
-}
-
-// How far a point is from a part of the surface.
-double off_part(const Cone& cone, const Vec3& p, double part) {
-    if (part == 0) return std::max(std::abs(cone.mantle(p)), cone.slab(p));
-    return std::max(std::abs(p.z - (part == 1 ? -1 : 1)), cone.mantle(p));
-}
-
-// How far the surface would have to be moved for this answer to be right. Arguments as those of the kernel ray_cone.
-double off_cone(std::span<const float> in, std::span<const float> out) {
-    const Line line = line_of(in);
-    const Cone cone = cone_of(in[6], in[7]);
-    const bool capped = in[8] != 0.0f;
-    const double after = static_cast<double>(in[9]), t = static_cast<double>(out[0]);
-    const Passage way = passage(line, cone);
-    const double start = cone.outside(line.at(after));
-    const auto passed_by = [&](double root, double clear) { // what it takes to overlook a root
-        return std::max(0.0, std::min({way.depth, clear, capped ? 1.0 : -cone.slab(line.at(root))}));
-    };
-    const double no_entry = after < way.deepest ? passed_by(way.enter, start) : 0;
-    const double no_exit = passed_by(way.leave, after < way.deepest ? 1 : -start);
-    if (t == kNoHit) return std::max(no_entry, no_exit);
-    if (!(t > after) || (!capped && out[1] != 0.0f)) return 1;
-    return std::max(off_part(cone, line.at(t), static_cast<double>(out[1])), t < way.deepest ? 0 : no_entry);
-}
-
-const Bound kConeBound = Bound::function([](std::span<const float> in, double) { return 12 * kU * (1 + length(vec_of(in, 0))); });
-
-void expect_cone(const KernelRun& run) {
-    expect_within(run, constant(0), kConeBound, off_cone);
-}
-
-const Inputs kRadii = only({1}) * only({1}) + only({0}) * only({1}) + only({1}) * only({0}) + only({0.3f}) * only({1}) +
-                      only({1}) * only({0.99999994f}) + only({0x1p-20f}) * only({1});
+const Inputs kRadii = cone_radii();
 const Inputs kCapped = only({0, 1});
 
 Inputs rays(std::size_t count, unsigned seed) {
@@ -97,7 +38,7 @@ Inputs vec(const Inputs& x, const Inputs& y, const Inputs& z) {
 } // namespace
 
 TEST_F(Kernel, RayCone) {
-    for (unsigned seed : seeds()) expect_cone(run_kernel(device, "ray_cone", rays(kMillion / 64, seed) * kRadii * kCapped * only({0}), 2));
+    expect_rows(device, "ray_cone");
 }
 
 // The second hit: after is the t of the first.
@@ -107,25 +48,26 @@ TEST_F(Kernel, RayConeAfterTheFirstHit) {
     for (std::size_t i = 0; i < again.count(); ++i) again.values[i * 10 + 9] = first.result(i)[0];
     std::erase_if(again.values, [&, at = std::size_t{0}](float) mutable { return first.result(at++ / 10)[0] == 3.4028235e38f; });
     ASSERT_GT(again.count(), 1000u);
-    expect_cone(run_kernel(device, "ray_cone", again, 2));
+    expect_claims(run_kernel(device, "ray_cone", again, 2), "ray_cone");
 }
 
 // CY-1: along the axis, and so little across it that squares vanish; about the rims, in the planes of the caps.
 TEST_F(Kernel, RayConeAlongTheAxis) {
     const Inputs across = only({0, 1e-30f, 1e-20f, -1e-14f, 1e-10f, -1e-8f, 1e-7f, 1e-6f, 1e-4f});
     const Inputs places = vec(near(1, 3) + only({0, 0.5f, -0.999f, 1e-8f, 1.5f}), only({0, 1e-7f}), only({-5, -1, 0, 0.5f, 1, 3000}));
-    expect_cone(
-        run_kernel(device, "ray_cone", places * vec(across, only({0, 1e-7f}), only({1, -1, 1e-6f})) * kRadii * kCapped * only({0}), 2));
+    expect_claims(
+        run_kernel(device, "ray_cone", places * vec(across, only({0, 1e-7f}), only({1, -1, 1e-6f})) * kRadii * kCapped * only({0}), 2),
+        "ray_cone");
     const Inputs flat = vec(near(1, 2) + only({-3, 0, 0.5f}), only({-2, 0, 1}), near(1, 2) + near(-1, 2)) *
                         vec(only({1, -1, 0.5f}), only({1, 0, 0.3f}), only({0, 1e-30f, -1e-20f, 1e-9f, 1e-7f}));
-    expect_cone(run_kernel(device, "ray_cone", flat * kRadii * kCapped * only({0}), 2));
+    expect_claims(run_kernel(device, "ray_cone", flat * kRadii * kCapped * only({0}), 2), "ray_cone");
 }
 
 // CO-1, CO-2: through the apex, along generators, through rims, tangent.
 TEST_F(Kernel, RayConeAtSpecialPoints) {
     const Inputs starts = vec(only({0, 1, -1, 1.5f, 40}), only({0, 0.5f, -3}), only({-3, -1, 0, 0.4f, 1, 20}));
     const Inputs targets = vec(only({0, 1, -1, 0.6f}), only({0, 0.8f}), only({-1, 1, 0.25f, -1.5f}));
-    expect_cone(run_kernel(device, "ray_cone", aimed(starts, targets, 3) * kRadii * kCapped * only({0}), 2));
+    expect_claims(run_kernel(device, "ray_cone", aimed(starts, targets, 3) * kRadii * kCapped * only({0}), 2), "ray_cone");
 }
 
 // CO-2: directions that turn through that of a generator, where the quadratic loses its square.
@@ -140,7 +82,7 @@ TEST_F(Kernel, RayConeAlongAGenerator) {
                     in.values.insert(in.values.end(), {place, 0.05f, -1.5f, slope + x, 0, 1, kRadii[r][0], kRadii[r][1], 0, 0});
                     in.values.insert(in.values.end(), {place, 0, 0.2f, slope, x, -1, kRadii[r][0], kRadii[r][1], 1, 0});
                 }
-    expect_cone(run_kernel(device, "ray_cone", in, 2));
+    expect_claims(run_kernel(device, "ray_cone", in, 2), "ray_cone");
 }
 
 // CY-2: from inside a closed cone, to its rims and everywhere else, no ray gets out unseen.
@@ -179,19 +121,7 @@ TEST_F(Kernel, RayConeOfAnything) {
 }
 
 TEST_F(Kernel, ConePoint) {
-    const Inputs points = generate(kMillion / 8, 3, 1, [](Random& random, std::span<float> p) { put(p, 0, random_at(random, 1e-3, 3)); });
-    const Inputs axis = vec(only({0, 1e-30f, 1e-8f}), only({0, -1e-30f}), only({-1.001f, -1, 0, 1, 1.001f}));
-    const KernelRun run = run_kernel(device, "cone_point", (points + axis) * kRadii * only({0, 1, 2}), 6);
-    expect_within(run, constant(0), Bound::absolute(11 * kU), [](std::span<const float> in, std::span<const float> out) {
-        return off_part(cone_of(in[3], in[4]), vec_of(out, 0), static_cast<double>(in[5]));
-    });
-    expect_within(run, constant(0), Bound::absolute(8 * kU), [](std::span<const float> in, std::span<const float> out) {
-        const Vec3 p = vec_of(out, 0), n = vec_of(out, 3);
-        const double slope = cone_of(in[3], in[4]).slope, r = std::hypot(p.x, p.y);
-        if (in[5] != 0.0f) return length(n - Vec3{0, 0, in[5] == 1.0f ? -1.0 : 1.0});
-        if (r == 0) return length(n - Vec3{0, 0, slope > 0 ? -1.0 : 1.0});
-        return length(n - Vec3{p.x / r, p.y / r, -slope});
-    });
+    expect_rows(device, "cone_point");
 }
 
 constexpr float kLean[] = {0, 0.99f, 0.99999f, 1}; // shares of a direction along the normal that are taken off

@@ -1,6 +1,6 @@
 // Rays and tori against samples of the distance in double: TO-1, TO-2, TO-3, TO-4.
 #include "kernel_test.h"
-#include "lines.h"
+#include "measure/numerics/shapes.h"
 
 #include <algorithm>
 #include <numbers>
@@ -8,53 +8,6 @@
 namespace lightbench::kernels {
 
 namespace {
-
-double distance_of(const Vec3& p, double m) {
-    return std::hypot(std::hypot(p.x, p.y) - 1, p.z) - m;
-}
-
-// How far a line gets beyond the surface, from side (1: outside, -1: inside) to the other one, for t in [from, to]: the distance is sampled,
-// and its peaks are searched by sections. It changes by no more than the length of the way.
-double crossing(const Line& line, double m, double side, double from, double to) {
-    constexpr int kSamples = 200;
-    const auto beyond = [&](double t) { return -side * distance_of(line.at(t), m); };
-    const double middle = line.nearest(), around = (1.01 + m) / length(line.d);
-    const double low = std::max(from, std::min(middle - around, to)), high = std::min(to, std::max(middle + around, from));
-    const double step = (high - low) / kSamples, way = step * length(line.d);
-    double most = std::max(beyond(low), beyond(high)), before = beyond(low), here = before;
-    for (int i = 1; i <= kSamples + 1 && step > 0; ++i) {
-        const double next = i <= kSamples ? beyond(low + step * i) : here;
-        if (here >= before && here >= next && here > most - way) {
-            const double t =
-                least_between(std::max(low, low + step * (i - 2)), std::min(high, low + step * i), [&](double x) { return -beyond(x); });
-            most = std::max(most, beyond(t));
-        }
-        before = here;
-        here = next;
-    }
-    return most;
-}
-
-// How far the surface would have to be moved for this t to be right. start: the distance at `after`.
-double off_torus(const Line& line, double m, double after, double start, double t) {
-    const double miss = t == kNoHit ? 0 : std::abs(distance_of(line.at(t), m));
-    const double outside = std::max(miss, crossing(line, m, 1, after, t)), inside = std::max(miss, crossing(line, m, -1, after, t));
-    if (t != kNoHit && !(t > after)) return 1 + m;
-    return start > 0 ? std::min(outside, std::max(inside, start)) : std::min(inside, std::max(outside, -start));
-}
-
-double off_result(std::span<const float> in, std::span<const float> out) {
-    const Line line = line_of(in);
-    const double m = static_cast<double>(in[6]), after = static_cast<double>(in[7]);
-    return off_torus(line, m, after, distance_of(line.at(after), m), static_cast<double>(out[0]));
-}
-
-const Bound kTorusBound =
-    Bound::function([](std::span<const float> in, double) { return 6 * kU * (1 + static_cast<double>(in[6]) + length(vec_of(in, 0))); });
-
-void expect_torus(const KernelRun& run) {
-    expect_within(run, constant(0), kTorusBound, off_result);
-}
 
 const Inputs kMinor = only({0.3f, 1e-4f, 0.05f, 0.9f, 1, 1.5f, 30});
 
@@ -80,7 +33,7 @@ Inputs after_hits(const KernelRun& run) {
 } // namespace
 
 TEST_F(Kernel, RayTorus) {
-    for (unsigned seed : seeds()) expect_torus(run_kernel(device, "ray_torus", rays(kMillion / 64, seed) * kMinor * only({0}), 1));
+    expect_rows(device, "ray_torus");
 }
 
 // All roots in turn: four at most.
@@ -90,7 +43,7 @@ TEST_F(Kernel, RayTorusAfterHits) {
         const Inputs again = after_hits(run);
         ASSERT_GT(again.count(), 100u);
         run = run_kernel(device, "ray_torus", again, 1);
-        expect_torus(run);
+        expect_claims(run, "ray_torus");
     }
     EXPECT_EQ(after_hits(run).count(), 0u);
 }
@@ -106,7 +59,7 @@ TEST_F(Kernel, RayTorusTangent) {
             vec(sides, only({0, 1e-7f, 0.3f}), only({4, 0})) * vec(only({0, 1e-9f, 1e-5f}), only({0, 1e-7f}), only({-1, 0.5f}));
         in = in + (along + down) * only({m}) * only({0});
     }
-    expect_torus(run_kernel(device, "ray_torus", in, 1));
+    expect_claims(run_kernel(device, "ray_torus", in, 1), "ray_torus");
 }
 
 // TO-2 again: tangent to the surface at any place, in any direction, moved by so little to either side.
@@ -121,7 +74,7 @@ TEST_F(Kernel, RayTorusTouched) {
         values[6] = static_cast<float>(m);
         values[7] = 0;
     });
-    expect_torus(run_kernel(device, "ray_torus", in, 1));
+    expect_claims(run_kernel(device, "ray_torus", in, 1), "ray_torus");
 }
 
 // Near the axis the ring is a kink of the distance: through the hole, the horn's and the spindle's dimple.
@@ -133,7 +86,7 @@ TEST_F(Kernel, RayTorusNearTheAxis) {
         values[6] = static_cast<float>(uniform(random, 0, 1) < 0.3 ? 1 : uniform(random, 0.9, 1.3));
         values[7] = 0;
     });
-    expect_torus(run_kernel(device, "ray_torus", in, 1));
+    expect_claims(run_kernel(device, "ray_torus", in, 1), "ray_torus");
 }
 
 // TO-3: no minor radius, and one beside which the ring is a point; nothing but a ray hits.
@@ -159,24 +112,11 @@ TEST_F(Kernel, RayTorusLikeASphere) {
         values[6] = 1e4f;
         values[7] = 0;
     });
-    expect_torus(run_kernel(device, "ray_torus", in, 1));
+    expect_claims(run_kernel(device, "ray_torus", in, 1), "ray_torus");
 }
 
 TEST_F(Kernel, TorusPoint) {
-    const Inputs points = generate(kMillion / 4, 3, 1, [](Random& random, std::span<float> p) { put(p, 0, random_at(random, 1e-3, 3)); });
-    const Inputs axis = vec(only({0, 1e-30f, 1e-8f, 1}), only({0, -1e-30f}), only({-1, 0.01f, 2}));
-    const KernelRun run = run_kernel(device, "torus_point", (points + axis) * kMinor, 6);
-    const auto minor = [](std::span<const float> in) { return static_cast<double>(in[3]); };
-    expect_within(run, constant(0), Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)); }),
-                  [=](std::span<const float> in, std::span<const float> out) { return distance_of(vec_of(out, 0), minor(in)); });
-    const Bound aim = Bound::function([=](std::span<const float> in, double) { return 4 * kU * (1 + minor(in)) / minor(in); });
-    expect_within(run, constant(0), aim, [=](std::span<const float>, std::span<const float> out) {
-        const Vec3 p = vec_of(out, 0), n = vec_of(out, 3);
-        const double r = std::hypot(p.x, p.y);
-        if (r == 0) return length(n - Vec3{0, 0, p.z < 0 ? -1.0 : 1.0});
-        const Vec3 off = {p.x - p.x / r, p.y - p.y / r, p.z};
-        return length(n + (-1 / length(off)) * off);
-    });
+    expect_rows(device, "torus_point");
 }
 
 // TO-4: from where a ray has hit, lifted off, away from the surface: never the place itself, but whatever else the torus has in the way.

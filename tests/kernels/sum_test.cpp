@@ -88,8 +88,12 @@ std::size_t bound_subtractions(std::span<const std::uint32_t> words) {
 
 } // namespace
 
+TEST_F(Kernel, SumAdd) {
+    expect_rows(device, "sum_add");
+}
+
 TEST_F(Kernel, CompensatedSum) {
-    const gpu::ShaderCode& code = find_kernel("compensated_sum");
+    const gpu::ShaderCode& code = find_any_kernel("compensated_sum");
     for (const std::vector<float>& terms : {random_terms(10000, 1), random_terms(1000000, 2), stalling(1000000)}) {
         const double worst = worst_error(run_sum(device, code, terms), terms);
         EXPECT_LE(worst, 8) << terms.size() << " terms";
@@ -99,7 +103,7 @@ TEST_F(Kernel, CompensatedSum) {
 
 // What SPIR-V tools make of it: the same sums, the compensation still there.
 TEST_F(Kernel, CompensationSurvivesOptimization) {
-    const gpu::ShaderCode& code = find_kernel("compensated_sum");
+    const gpu::ShaderCode& code = find_any_kernel("compensated_sum");
     const std::vector<float> terms = stalling(200000);
     const std::vector<float> plain_way = run_sum(device, code, terms);
     const std::vector<std::uint32_t> modules[] = {gpu::specialize(code, {}), optimized(code, false), optimized(code, true)};
@@ -113,7 +117,7 @@ TEST_F(Kernel, CompensationSurvivesOptimization) {
 
 // The test of the test: without compensation the bound is missed, and the module has no such subtraction.
 TEST_F(Kernel, PlainSumIsReported) {
-    const gpu::ShaderCode& code = find_kernel("plain_sum");
+    const gpu::ShaderCode& code = find_any_kernel("plain_sum");
     const std::vector<float> terms = stalling(100000);
     EXPECT_GT(worst_error(run_sum(device, code, terms), terms), 1000);
     EXPECT_EQ(bound_subtractions(gpu::specialize(code, {})), 0u);

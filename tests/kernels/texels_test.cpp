@@ -1,7 +1,7 @@
 // Filtered pictures against interpolation in double of what the table holds: TX-1, TX-2, TX-6, BM-1.
 #include "kernel_test.h"
 
-#include "image/texels.h"
+#include "measure/numerics/album.h"
 
 #include <array>
 #include <bit>
@@ -13,74 +13,6 @@ namespace lightbench::kernels {
 namespace {
 
 using gpu_layout::kWrapClamp, gpu_layout::kWrapMirror, gpu_layout::kWrapRepeat;
-using gpu_layout::TexelInfo;
-
-// IEEE 754-2008, 3.4: what 16 bits mean.
-double from_half(std::uint32_t h) {
-    const int exponent = static_cast<int>(h >> 10 & 31), fraction = static_cast<int>(h & 1023);
-    const double magnitude = exponent == 0 ? std::ldexp(fraction, -24) : std::ldexp(1024 + fraction, exponent - 25);
-    return h >> 15 ? -magnitude : magnitude;
-}
-
-// Pictures and their table, whose first words are the pictures' TexelInfos.
-struct Album {
-    static constexpr std::size_t kMost = 16;
-    TexelTable table{.words = Words(kMost)};
-    std::vector<TexelInfo> infos;
-
-    void keep(const TexelInfo& info) {
-        table.words.at(infos.size()) = std::bit_cast<std::array<std::uint32_t, 4>>(info);
-        infos.push_back(info);
-    }
-    double texel(const TexelInfo& t, unsigned level, unsigned column, unsigned row, std::size_t channel) const {
-        const unsigned width = std::max(1u, t.width >> level), start = table.words[t.first + level / 4][level % 4];
-        const std::uint32_t word = table.words[start + row * ((width + 1) / 2) + column / 2][column % 2 * 2 + channel / 2];
-        return from_half(channel % 2 ? word >> 16 : word & 0xffff) * std::ldexp(1.0, static_cast<int>(t.flags >> 16) - 128);
-    }
-};
-
-unsigned wrapped(long i, unsigned size, std::uint32_t wrap) {
-    const long n = size;
-    if (wrap == kWrapClamp) return static_cast<unsigned>(std::clamp(i, 0L, n - 1));
-    const long period = wrap == kWrapRepeat ? n : 2 * n, r = ((i % period) + period) % period;
-    return static_cast<unsigned>(r < n ? r : 2 * n - 1 - r);
-}
-
-// uv in whole pictures less a multiple of two, or at a border.
-double reduced(double x, std::uint32_t wrap) {
-    if (!std::isfinite(x)) return 0;
-    return wrap == kWrapClamp ? std::clamp(x, 0.0, 1.0) : std::fmod(x, 2.0);
-}
-
-double bilinear(const Album& album, const TexelInfo& t, double u, double v, unsigned level, std::size_t channel) {
-    const std::uint32_t wrap_u = t.flags >> 8 & 3, wrap_v = t.flags >> 10 & 3;
-    const unsigned width = std::max(1u, t.width >> level), height = std::max(1u, t.height >> level);
-    const double x = reduced(u, wrap_u) * width - 0.5, y = (1 - reduced(v, wrap_v)) * height - 0.5;
-    const double fx = x - std::floor(x), fy = y - std::floor(y);
-    double sum = 0;
-    for (long i = 0; i < 2; ++i)
-        for (long k = 0; k < 2; ++k)
-            sum += (i ? fx : 1 - fx) * (k ? fy : 1 - fy) *
-                   album.texel(t, level, wrapped(static_cast<long>(std::floor(x)) + i, width, wrap_u),
-                               wrapped(static_cast<long>(std::floor(y)) + k, height, wrap_v), channel);
-    return sum;
-}
-
-double trilinear(const Album& album, const TexelInfo& t, double u, double v, double lod, std::size_t channel) {
-    const double most = (t.flags & 255) - 1.0, held = lod > 0 ? std::min(lod, most) : 0, f = held - std::floor(held);
-    const auto low = static_cast<unsigned>(held);
-    const double a = bilinear(album, t, u, v, low, channel);
-    return f > 0 ? (1 - f) * a + f * bilinear(album, t, u, v, low + 1, channel) : a;
-}
-
-constexpr double kLargest = 4; // of the random pictures
-
-ImageF random_picture(unsigned width, unsigned height, unsigned seed) {
-    ImageF image{.width = width, .height = height, .rgba = {}};
-    Random random(seed);
-    for (unsigned i = 0; i < width * height * 4; ++i) image.rgba.push_back(static_cast<float>(uniform(random, -kLargest, kLargest)));
-    return image;
-}
 
 ImageF picture_of(unsigned width, unsigned height, const std::function<double(double, double)>& value) {
     ImageF image{.width = width, .height = height, .rgba = {}};
@@ -90,82 +22,14 @@ ImageF picture_of(unsigned width, unsigned height, const std::function<double(do
     return image;
 }
 
-Album random_album() {
-    Album album;
-    unsigned seed = 0;
-    for (const auto& [width, height] : {std::pair{1u, 1u}, {1u, 7u}, {6u, 1u}, {13u, 10u}, {64u, 32u}, {129u, 65u}})
-        for (std::uint32_t wrap : {kWrapRepeat, kWrapClamp, kWrapMirror}) {
-            if (album.infos.size() == Album::kMost) break;
-            ++seed;
-            album.keep(album.table.add(random_picture(width, height, seed), false, wrap, (wrap + seed / 3) % 3));
-        }
-    return album;
-}
-
-const TexelInfo& info_of(const Album& album, std::span<const float> in) {
-    return album.infos.at(static_cast<std::size_t>(in[0]));
-}
-
-// (picture, u, v, level or lod): coordinates of every size, levels that there are.
-Inputs samples(const Album& album, unsigned seed, bool whole) {
-    return generate(kMillion / 4, 4, seed, [&](Random& random, std::span<float> in) {
-        in[0] = static_cast<float>(random() % album.infos.size());
-        const double range = log_uniform(random, 1e-3, 100);
-        in[1] = static_cast<float>(uniform(random, -range, range));
-        in[2] = static_cast<float>(uniform(random, -range, range));
-        const double level = uniform(random, whole ? 0 : -2, (info_of(album, in).flags & 255) - (whole ? 1e-6 : -2));
-        in[3] = static_cast<float>(whole ? std::floor(level) : level);
-    });
-}
-
-// TX-1, TX-2.
-Inputs odd_coordinates(const Album& album, const Inputs& levels) {
-    Inputs pictures;
-    for (std::size_t i = 0; i < album.infos.size(); ++i) pictures.values.push_back(static_cast<float>(i));
-    const Inputs axis =
-        special_values() + near(0, 2) + near(1, 2) + near(-1, 1) + near(2, 1) + only({1e-9f, -1e-9f, 1e9f, -3e9f, 1e7f, 16777215.0f});
-    return pictures * axis * axis * levels;
-}
-
-// Rounding of the interpolation, and of uv times the size: half an ulp of each folds the coordinate, another places it.
-Bound within(const Album& album, double u_of_largest) {
-    return Bound::function([&album, u_of_largest](std::span<const float> in, double) {
-        const TexelInfo& t = info_of(album, in);
-        return (u_of_largest + 2.0 * 2 * (t.width + t.height)) * kLargest * kU;
-    });
-}
-
 } // namespace
 
 TEST_F(Kernel, SampleBilinear) {
-    const Album album = random_album();
-    for (unsigned seed : seeds()) {
-        const Inputs in = samples(album, seed, true) + odd_coordinates(album, only({0}));
-        const KernelRun run = run_kernel(device, "sample_bilinear", in, 4, album.table.words);
-        for (std::size_t c = 0; c < 4; ++c) {
-            const auto f = [&](std::span<const float> x) {
-                return bilinear(album, info_of(album, x), static_cast<double>(x[1]), static_cast<double>(x[2]), static_cast<unsigned>(x[3]),
-                                c);
-            };
-            expect_within(run, {f, f}, within(album, 4), component(c));
-        }
-    }
+    expect_rows(device, "sample_bilinear");
 }
 
 TEST_F(Kernel, SampleTrilinear) {
-    const Album album = random_album();
-    for (unsigned seed : seeds()) {
-        const Inputs in =
-            samples(album, seed, false) + odd_coordinates(album, only({-1, 0.5f, kNaN, std::numeric_limits<float>::infinity()}));
-        const KernelRun run = run_kernel(device, "sample_trilinear", in, 4, album.table.words);
-        for (std::size_t c = 0; c < 4; ++c) {
-            const auto f = [&](std::span<const float> x) {
-                return trilinear(album, info_of(album, x), static_cast<double>(x[1]), static_cast<double>(x[2]), static_cast<double>(x[3]),
-                                 c);
-            };
-            expect_within(run, {f, f}, within(album, 8), component(c));
-        }
-    }
+    expect_rows(device, "sample_trilinear");
 }
 
 // In the middle of a texel, on every level, there is that texel's very value.

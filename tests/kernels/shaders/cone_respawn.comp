@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 13
 #define KERNEL_RESULTS 2
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/ray_cone.glsl"
 
 void kernel() {

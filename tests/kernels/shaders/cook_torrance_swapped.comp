@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 14
 #define KERNEL_RESULTS 4
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/cook_torrance.glsl"
 
 void kernel() {

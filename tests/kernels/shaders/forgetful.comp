@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 1
 #define KERNEL_RESULTS 1
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 
 void kernel() {
     finished = argument(0) > 0.0;

@@ -5,8 +5,8 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #define KERNEL_ARGUMENTS 4
 #define KERNEL_RESULTS 2
-#include "kernel.glsl"
-#include "texel_kernel.glsl"
+#include "numerics/kernel.glsl"
+#include "numerics/texel_kernel.glsl"
 
 void kernel() {
     vec2 slopes = height_gradient(picture(argument(0)), argument2(1), argument(3));

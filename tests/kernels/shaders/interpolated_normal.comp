@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 10
 #define KERNEL_RESULTS 3
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/vector.glsl"
 
 void kernel() { result3(0, safe_normalize(mix(argument3(0), argument3(3), argument(9)), argument3(6))); }

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 24
 #define KERNEL_RESULTS 2
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/ray.glsl"
 
 float leaky_triangle(vec3 o, vec3 d, vec3 v0, vec3 v1, vec3 v2) {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 42
 #define KERNEL_RESULTS 3
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/ray_sphere.glsl"
 
 mat4x3 matrix(uint at) { return mat4x3(argument3(at), argument3(at + 3), argument3(at + 6), argument3(at + 9)); }

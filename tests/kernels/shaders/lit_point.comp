@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 12
 #define KERNEL_RESULTS 3
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/attenuation.glsl"
 #include "lib/phong.glsl"
 #include "lib/sum.glsl"

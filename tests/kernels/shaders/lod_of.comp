@@ -5,7 +5,7 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #define KERNEL_ARGUMENTS 5
 #define KERNEL_RESULTS 1
-#include "kernel.glsl"
-#include "texel_kernel.glsl"
+#include "numerics/kernel.glsl"
+#include "numerics/texel_kernel.glsl"
 
 void kernel() { result(0, lod_of(picture(argument(0)), argument2(1), argument2(3))); }

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 2
 #define KERNEL_RESULTS 1
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 
 void kernel() {
     float c = argument(0), n = argument(1);

@@ -3,6 +3,6 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 2
 #define KERNEL_RESULTS 1
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 
 void kernel() { result(0, pow(1.0 - argument(0), argument(1))); }

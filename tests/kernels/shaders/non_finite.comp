@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 4
 #define KERNEL_RESULTS 2
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/color.glsl"
 
 void kernel() {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 24
 #define KERNEL_RESULTS 2
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/ray_triangle.glsl"
 
 void kernel() {

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 6
 #define KERNEL_RESULTS 3
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/environment.glsl"
 
 void kernel() { result3(0, reflected(argument3(0), argument3(3))); }

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 7
 #define KERNEL_RESULTS 3
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/refraction.glsl"
 
 void kernel() {

@@ -5,7 +5,7 @@
 #extension GL_EXT_samplerless_texture_functions : require
 #define KERNEL_ARGUMENTS 7
 #define KERNEL_RESULTS 4
-#include "kernel.glsl"
-#include "texel_kernel.glsl"
+#include "numerics/kernel.glsl"
+#include "numerics/texel_kernel.glsl"
 
 void kernel() { result4(sample_anisotropic(picture(argument(0)), argument2(1), argument2(3), argument2(5))); }

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 2
 #define KERNEL_RESULTS 1
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/exact.glsl"
 
 void kernel() { result(0, sum_upwards(argument(0), argument(1))); }

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define KERNEL_ARGUMENTS 12
 #define KERNEL_RESULTS 8
-#include "kernel.glsl"
+#include "numerics/kernel.glsl"
 #include "lib/ray_torus.glsl"
 
 void kernel() {

@@ -1,0 +1,9 @@
+// (s) -> log_one_minus
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define KERNEL_ARGUMENTS 1
+#define KERNEL_RESULTS 1
+#include "numerics/kernel.glsl"
+#include "lib/power.glsl"
+
+void kernel() { result(0, log_one_minus(argument(0))); }

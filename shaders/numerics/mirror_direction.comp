@@ -1,0 +1,9 @@
+// (i, n) -> mirror_direction
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define KERNEL_ARGUMENTS 6
+#define KERNEL_RESULTS 3
+#include "numerics/kernel.glsl"
+#include "lib/refraction.glsl"
+
+void kernel() { result3(0, mirror_direction(argument3(0), argument3(3))); }

@@ -1,0 +1,9 @@
+// (n, surface gradient) -> perturb_normal
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define KERNEL_ARGUMENTS 6
+#define KERNEL_RESULTS 3
+#include "numerics/kernel.glsl"
+#include "lib/bump.glsl"
+
+void kernel() { result3(0, perturb_normal(argument3(0), argument3(3))); }

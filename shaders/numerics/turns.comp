@@ -1,0 +1,9 @@
+// (y, x) -> turns
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#define KERNEL_ARGUMENTS 2
+#define KERNEL_RESULTS 1
+#include "numerics/kernel.glsl"
+#include "lib/mapping.glsl"
+
+void kernel() { result(0, turns(argument(0), argument(1))); }

@@ -1,9 +1,0 @@
-// (x) -> log_unit
-#version 460
-#extension GL_GOOGLE_include_directive : require
-#define KERNEL_ARGUMENTS 1
-#define KERNEL_RESULTS 1
-#include "kernel.glsl"
-#include "lib/power.glsl"
-
-void kernel() { result(0, log_unit(argument(0))); }
