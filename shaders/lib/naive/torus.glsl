@@ -3,16 +3,21 @@
 #define LIGHTBENCH_LIB_NAIVE_TORUS
 #include "lib/naive/real.glsl"
 
-// The largest root of z^3 + 2 p z^2 + (p^2 - 4 r) z - q^2, which is not negative: Newton's method from Cauchy's bound falls towards it.
+// A root above 0 of z^3 + 2 p z^2 + (p^2 - 4 r) z - q^2, of which any will do: Newton's method, and halves where it leaves the bracket
+// between 0 and Cauchy's bound.
 real naive_resolvent(real p, real q, real r) {
     real a = 2.0 * p, b = p * p - 4.0 * r, c = -q * q;
-    real z = 1.0 + max(max(abs(a), abs(b)), abs(c));
+    real low = 0.0, high = 1.0 + max(max(abs(a), abs(b)), abs(c)), z = high;
     for (int i = 0; i < 60; ++i) {
-        real slope = (3.0 * z + 2.0 * a) * z + b, step = (((z + a) * z + b) * z + c) / slope;
-        if (!(slope > 0.0) || !(step > 0.0)) break;
-        z -= step;
+        real value = ((z + a) * z + b) * z + c, slope = (3.0 * z + 2.0 * a) * z + b;
+        low = value < 0.0 ? z : low;
+        high = value < 0.0 ? high : z;
+        real next = z - value / slope;
+        next = next > low && next < high ? next : 0.5 * (low + high);
+        if (next == z) break;
+        z = next;
     }
-    return max(z, real(0.0));
+    return z;
 }
 
 void naive_keep(real y, real after, inout real first) {

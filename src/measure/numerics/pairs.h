@@ -57,7 +57,7 @@ struct PairFinding {
 struct PairLimits {
     std::size_t inputs = 1u << 15;      // judged, at most
     std::size_t invocations = 1u << 15; // of a timed run
-    double least_milliseconds = 3;      // of a timed run, if turns allow
+    double least_milliseconds = 10;     // of a timed run, if turns allow
     RoundLimits rounds{.most = 15, .milliseconds = 4000};
 };
 

@@ -1,6 +1,7 @@
 // Logarithms, exponentials and powers near 1 (lib/power.glsl) against double and 60 digits: LI-1's stable form.
 #include "measure/numerics/rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lightbench::kernels {
@@ -47,7 +48,7 @@ Inputs power_inputs(std::size_t count, unsigned seed) {
         const double x = uniform(source, 0, 88); // every size of result, whatever s
         in[1] = static_cast<float>(x / -std::log1p(-static_cast<double>(in[0])));
     });
-    return random + log_grid(1e-9, 0.99999, 512) * log_grid(1, 1e5, count / 2048) +
+    return random + log_grid(1e-9, 0.99999, 512) * log_grid(1, 1e5, std::max<std::size_t>(2, count / 2048)) +
            turns_of_s() * only({0, 1, 2, 128, 200, 1000, 100000, 1e20f}) + only({0, 1e-10f, 0.5f}) * only({0, kFloatMax});
 }
 
