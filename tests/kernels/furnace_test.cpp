@@ -1,4 +1,5 @@
 // CT-9: a surface that reflects all light of each facet gives back no more than it gets, and as much as the formulas of SPEC S6 say.
+#include "kernel_test.h"
 #include "measure/numerics/facets.h"
 
 namespace lightbench::kernels {
