@@ -35,7 +35,8 @@ void naive_quadratic(real b, real c, real shift, real after, inout real first) {
 // Torus of radii 1 and m about z: (|p|^2 + 1 - m^2)^2 = 4 (x^2 + y^2) along o + t d. Hanrahan 1989, "A survey of ray-surface intersection
 // algorithms", in Glassner, "An Introduction to Ray Tracing", sec. 3.2; Ferrari's method after Cardano 1545, "Ars magna", ch. 39.
 // Breaks: the coefficients grow with the fourth power of |o|, and the depressed quartic subtracts them from each other: from 30 radii away
-// floats hold nothing of the torus any more; double roots (tangents) and p^2 = 4 r lose half of the digits at any distance.
+// floats hold nothing of the torus any more (doubles: from some hundred); double roots (tangents) and p^2 = 4 r lose half of the digits at
+// any distance.
 float naive_torus(vec3 origin, vec3 direction, float minor, float after) {
     real scale = length(real3(direction));
     real3 o = real3(origin), d = real3(direction) / scale;
