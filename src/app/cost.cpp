@@ -74,10 +74,11 @@ void check_options(const CostArguments& a, Problems& problems) {
         if (a.given.contains(flag)) problems.push_back({flag, 0, 0, "belongs to render; cost measures whole pictures of one frame"});
     if (!a.given.contains("SCENE")) problems.push_back({"cost", 0, 0, "SCENE is missing"});
     if (a.knobs.empty()) problems.push_back({"--knob", 0, 0, "is missing; lightbench cost --list names the knobs"});
-    if (a.folder.empty()) problems.push_back({"-o", 0, 0, "is missing: the folder of the report"});
-    const fs::path parent = fs::absolute(a.folder).lexically_normal().parent_path();
+    if (a.folder.empty()) return problems.push_back({"-o", 0, 0, "is missing: the folder of the report"});
+    const fs::path whole = fs::absolute(a.folder).lexically_normal(); // ends in a slash if that was typed
+    const fs::path parent = (whole.has_filename() ? whole : whole.parent_path()).parent_path();
     std::error_code ignored;
-    if (!a.folder.empty() && !fs::is_directory(parent, ignored))
+    if (!fs::is_directory(parent, ignored))
         problems.push_back({"-o", 0, 0, fmt::format("there is no folder {}; it must exist", parent.string())});
     if (fs::exists(a.folder, ignored) && !fs::is_directory(a.folder, ignored))
         problems.push_back({"-o", 0, 0, fmt::format("{} is a file; it must be a folder, or not exist yet", a.folder)});

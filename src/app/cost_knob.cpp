@@ -54,7 +54,9 @@ void check_method(const CostVariant& variant, const Knob& knob, const SceneOptio
 References render_references(const PlannedKnob& planned, const KnobRun& run) {
     const auto render = [&](std::size_t i) {
         run.messages.step(fmt::format("{}: reference {} of 2", planned.knob->name, i + 1));
-        return CostVariant(run.device, run.scene, planned.references[i]).run().radiance;
+        CostVariant variant(run.device, run.scene, planned.references[i]);
+        check_method(variant, *planned.knob, planned.references[i]);
+        return variant.run().radiance;
     };
     return {render(0), render(1)};
 }
