@@ -112,6 +112,13 @@ void write_report(const CostReport& report, const fs::path& folder) {
     write_file((folder / "report.html").string(), report_html(report, folder));
 }
 
+// With the method that the first knob which belongs to one brings along, if none was typed: --patch is no problem beside --knob shots.
+OptionTexts with_method(OptionTexts texts, const std::vector<KnobUse>& uses) {
+    for (const KnobUse& use : uses)
+        if (!use.knob->method.empty()) texts.try_emplace("--method", use.knob->method);
+    return texts;
+}
+
 struct PlannedReport {
     SceneOptions options; // with the size
     RoundLimits limits;
@@ -121,15 +128,15 @@ struct PlannedReport {
 // Everything that can be wrong with the command line and the scene, before a device is opened.
 PlannedReport plan_report(const CostArguments& a, Scene& scene) {
     Problems problems;
-    parse_scene_options(a.given, problems);
     check_options(a, problems);
     PlannedReport planned{{}, parse_limits(a, problems), {}};
     const std::vector<KnobUse> uses = parse_knobs(a.knobs, problems);
+    parse_scene_options(with_method(a.given, uses), problems);
     if (!problems.empty()) throw UserError(problems);
     scene = load_or_throw(a.given.find("SCENE")->second, a.given.contains("--allow-outside"));
     OptionTexts texts = a.given;
     texts.try_emplace("--size", default_size(scene));
-    planned.options = parse_scene_options(texts, problems);
+    planned.options = parse_scene_options(with_method(texts, uses), problems);
     for (const KnobUse& use : uses) planned.knobs.push_back(plan_knob(use, scene, texts, problems));
     if (!problems.empty()) throw UserError(problems);
     return planned;
