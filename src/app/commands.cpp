@@ -35,7 +35,7 @@ int parse_failure(CLI::App& app, const CLI::ParseError& error) {
 
 void add_all(CLI::App& app, int& exit_code) {
     for (auto add : {add_render, add_plan, add_compare, add_check, add_make, add_devices, add_gallery, add_probe, add_plot, add_cost,
-                     add_numerics, add_later})
+                     add_numerics, add_view})
         add(app, exit_code);
     app.require_subcommand(1);
     const std::string version = fmt::format("lightbench {}", LIGHTBENCH_VERSION);

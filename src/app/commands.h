@@ -21,6 +21,6 @@ void add_probe(CLI::App& app, int& exit_code);
 void add_plot(CLI::App& app, int& exit_code);
 void add_cost(CLI::App& app, int& exit_code);
 void add_numerics(CLI::App& app, int& exit_code);
-void add_later(CLI::App& app, int& exit_code); // the names of what this version does not do yet
+void add_view(CLI::App& app, int& exit_code);
 
 } // namespace lightbench

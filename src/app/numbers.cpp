@@ -2,12 +2,20 @@
 
 #include <cstdint>
 #include <fmt/format.h>
+#include <glm/gtc/constants.hpp>
 #include <vector>
 
 namespace lightbench {
 namespace {
 
 constexpr std::int64_t kMaxFrames = 100000;
+
+std::optional<glm::dvec3> parse_point(std::string_view text) {
+    const auto parts = split(text, ',');
+    if (parts.size() != 3) return std::nullopt;
+    const auto x = parse_whole<double>(parts[0]), y = parse_whole<double>(parts[1]), z = parse_whole<double>(parts[2]);
+    return x && y && z ? std::optional(glm::dvec3(*x, *y, *z)) : std::nullopt;
+}
 
 } // namespace
 
@@ -64,6 +72,15 @@ std::optional<glm::vec3> parse_contrast(std::string_view text) {
         contrast[i] = static_cast<float>(*value);
     }
     return contrast;
+}
+
+std::optional<Camera> parse_camera(std::string_view text) {
+    const auto parts = split(text, ':');
+    if (parts.size() != 4 && parts.size() != 5) return std::nullopt;
+    const auto position = parse_point(parts[0]), target = parse_point(parts[1]), up = parse_point(parts[2]);
+    const auto fov = parse_whole<double>(parts[3]), hither = parts.size() == 5 ? parse_whole<double>(parts[4]) : std::optional(0.0);
+    if (!position || !target || !up || !fov || !hither) return std::nullopt;
+    return Camera{"own", *position, *target, *up, *fov * (glm::pi<double>() / 180), *hither};
 }
 
 // A pixel's own sample lies at most 0.71 pixels from its middle: a radius of 1 always has one. Sigma is a third of the radius unless it is

@@ -45,6 +45,7 @@ std::optional<glm::uvec2> parse_pixel(std::string_view text);   // X,Y
 std::optional<FrameRange> parse_range(std::string_view text);   // A:B
 std::optional<glm::vec3> parse_contrast(std::string_view text); // R,G,B in [0, 1]
 std::optional<glm::vec2> parse_filter(std::string_view text);   // R or R,SIGMA: radius and sigma
+std::optional<Camera> parse_camera(std::string_view text);      // PX,PY,PZ:TX,TY,TZ:UX,UY,UZ:FOV[:HITHER], degrees
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -25,7 +25,10 @@ constexpr OptionRow kOptions[] = {
     {"--attenuation", "LAW", "in the place of the lights' own: none, linear or inverse-square"},
     {"--size", "WxH", "pixels; default the scene's [film], else 1280x720"},
     {"--crop", "X,Y,W,H", "render this part of the image only"},
-    {"--camera", "NAME", "one of the scene's cameras; default the first"},
+    {"--camera", "NAME",
+     "one of the scene's cameras (default the first), or your own: PX,PY,PZ:TX,TY,TZ:UX,UY,UZ:FOV, its position, target, up "
+     "and vertical field of view in degrees, and after one more colon the distance before which nothing is seen"},
+    {"--without", "EFFECTS", "leave out: texture, bump, environment, transparency, reflection; several, with commas or again"},
     {"--frame", "N", "turntable: the camera turned by 3 N degrees about the target"},
     {"--frames", "A:B", "frames A to B, both included; -o with %04d"},
     {"--sampling", "PATTERN", "of the samples of a pixel: none, uniform, jittered, adaptive (raytrace: where neighbours differ)"},
@@ -117,8 +120,22 @@ void parse_image(Parser& p, Request& r) {
     // 2^127 is the largest power of two that a float holds.
     p.value("--exposure", parse_number<-127, 127>, "a number of stops from -127 to 127",
             [&](double x) { r.exposure = static_cast<float>(x); });
-    r.camera = p.text("--camera");
+    r.placed = parse_camera(p.text("--camera"));
+    if (!r.placed) r.camera = p.text("--camera");
     r.terms = p.has("--terms");
+}
+
+void parse_edits(Parser& p, SceneEdits& edits) {
+    if (!p.has("--without")) return;
+    const std::vector<std::string> names(kStrippable.begin(), kStrippable.end());
+    const std::string text = p.text("--without");
+    for (const std::string_view word : split(text, ',')) {
+        const auto at = std::find(names.begin(), names.end(), word);
+        if (at == names.end())
+            p.problem("--without", fmt::format("\"{}\" is unknown; it must be {}", word, alternatives(names)));
+        else
+            edits.without |= 1u << (at - names.begin());
+    }
 }
 
 void parse_rays(Parser& p, Request& r) {
@@ -221,10 +238,10 @@ std::string alternatives(const std::vector<std::string>& names) {
     return text;
 }
 
-void declare_scene_options(CLI::App& sub, Given& given) {
+void declare_scene_options(CLI::App& sub, Given& given, bool scene_required) {
     sub.add_option_function<std::string>(
            "SCENE", [&given](const std::string& text) { given["SCENE"] = text; }, "scene file")
-        ->required();
+        ->required(scene_required);
     for (const OptionRow& row : kOptions) {
         const std::string flag = row.flag;
         if (row.value == nullptr)
@@ -234,7 +251,7 @@ void declare_scene_options(CLI::App& sub, Given& given) {
             CLI::Option* option = sub.add_option_function<std::string>(
                 flag, [&given, flag](const std::string& text) { given[flag] = text; }, row.help);
             option->type_name(row.value);
-            if (flag == "--accel-param" || flag == "--shader" || flag == "--slider")
+            if (flag == "--accel-param" || flag == "--shader" || flag == "--slider" || flag == "--without")
                 option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
         }
     }
@@ -246,6 +263,7 @@ SceneOptions parse_scene_options(const Given& given, Problems& problems) {
     options.scene = parser.text("SCENE");
     parse_choices(parser, options);
     parse_image(parser, options.request);
+    parse_edits(parser, options.request.edits);
     parse_samples(parser, options.request);
     parse_rays(parser, options.request);
     parse_radiosity(parser, options.request, options.request.radiosity);

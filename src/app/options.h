@@ -40,7 +40,7 @@ struct SceneOptions {
 };
 
 // Declares SCENE and all options; what is given arrives in `given`, the scene under "SCENE".
-void declare_scene_options(CLI::App& sub, Given& given);
+void declare_scene_options(CLI::App& sub, Given& given, bool scene_required = true);
 
 // Every problem of what was given; options of methods that this version lacks are problems too: nothing is ignored.
 SceneOptions parse_scene_options(const Given& given, Problems& problems);

@@ -1,16 +1,13 @@
 // lightbench probe SCENE X,Y: the illumination equation of a pixel with its numbers, and its ray tree with the reason of every end.
 // The terms are computed in double on the host, held against what the device made of the same hit. --json: the keys are those of json_of().
-#include "render/probe.h"
-
 #include "app/commands.h"
 #include "app/errors.h"
 #include "app/numbers.h"
 #include "app/options.h"
 #include "app/prepare.h"
+#include "app/probe_tree.h"
 #include "app/validation.h"
 #include "plan/explain.h"
-#include "scene/surfaces.h"
-#include "shared/rays.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -170,26 +167,6 @@ void check_options(const SceneOptions& options, Problems& problems) {
     if (options.request.crop) problems.push_back({"--crop", 0, 0, "a pixel is named in the whole image"});
 }
 
-// What the rasteriser draws, for a tracer that follows only what goes straight through.
-Scene as_drawn(Scene scene) {
-    for (Material& m : scene.materials)
-        m.opacity = straight_opacity(m), m.transmission = glm::vec3(0), m.reflection = glm::vec3(0), m.fresnel = false;
-    return scene;
-}
-
-Probe trace(gpu::Device& device, const Scene& scene, Request request, glm::uvec2 pixel) {
-    const bool drawn = request.method == Method::raster;
-    Scene traced = drawn ? as_drawn(scene) : scene;
-    request.method = Method::raytrace, request.shading = Shading::phong;
-    Prepared prepared = prepare(traced, request);
-    if (drawn) prepared.plan.ray_effects &= ~(RAY_SHADOWS | RAY_CLEAR_SHADOWS | RAY_CUTOFF);
-    Probe tree = probe_pixel(device, traced, prepared.geometry, prepared.plan, prepared.view, pixel);
-    for (ProbedRay& ray : tree.rays)
-        for (ProbedStop& stop : ray.stops)
-            if (drawn && stop.branch != "straight") stop.reason = "the rasteriser sends none";
-    return tree;
-}
-
 dvec3 drawn_radiance(gpu::Device& device, Scene scene, const Request& request) {
     const Prepared prepared = prepare(scene, request);
     Renderer renderer(device, scene, prepared.geometry, prepared.plan);
@@ -211,7 +188,7 @@ void probe(const ProbeArguments& arguments) {
     Scene completed = scene;
     const std::string method(name_of(prepare(completed, request).plan.method)); // problems before a device is opened
     gpu::Device device = gpu::Device::open({options.device});
-    Probed probed{options.scene.string(), method, pixel, {}, trace(device, scene, request, pixel)};
+    Probed probed{options.scene.string(), method, pixel, {}, probe_tree(device, scene, request, pixel)};
     probed.radiance = request.method == Method::raster ? drawn_radiance(device, scene, request) : probed.tree.rays.front().radiance;
     if (arguments.json) {
         fmt::print("{}\n", json_of(probed, completed).dump(2));

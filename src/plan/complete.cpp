@@ -48,8 +48,10 @@ std::string names_of(const std::vector<Camera>& cameras) {
     return names;
 }
 
-// The camera asked for by name, else the first; none if the name is nobody's.
-std::optional<Camera> choose_camera(const Scene& scene, const std::string& name, Problems& problems) {
+// The user's own camera, else the one asked for by name, else the first; none if the name is nobody's.
+std::optional<Camera> choose_camera(const Scene& scene, const Request& request, Problems& problems) {
+    const std::string& name = request.camera;
+    if (request.placed) return request.placed;
     if (name.empty()) return scene.cameras.front();
     for (const Camera& camera : scene.cameras)
         if (camera.name == name) return camera;
@@ -76,6 +78,13 @@ bool check_size(glm::uvec2 size, Problems& problems) {
     if (fits(size.x) && fits(size.y)) return true;
     problem(problems, "--size", fmt::format("the image is {}x{}; a side must have 1 to {} pixels", size.x, size.y, limits::kMaxImageSide));
     return false;
+}
+
+// What was changed on the user's word; a word that changes nothing is told, too.
+void edit(Scene& scene, const SceneEdits& edits, std::vector<Line>& notes) {
+    for (std::size_t i = 0; i < kStrippable.size(); ++i)
+        if (const std::uint32_t bit = 1u << i; edits.without & bit)
+            notes.push_back({fmt::format("without {}", kStrippable[i]), fmt::format("materials changed: {}", keep_without(scene, bit))});
 }
 
 // Without sums that could wrap around.
@@ -164,12 +173,13 @@ CompleteResult complete(Scene& scene, const Request& request) {
     const glm::uvec2 size = image_size(scene, request);
     if (!check_size(size, result.problems)) return result;
     check_crop(request.crop, size, result.problems);
+    edit(scene, request.edits, notes);
     const Sphere3 sphere = bounding_sphere(scene);
-    if (scene.cameras.empty()) {
+    if (scene.cameras.empty() && !request.placed) {
         scene.cameras.push_back(fitted_camera(sphere, size));
         notes.push_back({"camera", "the scene has none: one that sees all of it, 45 degrees, from the front and above"});
     }
-    std::optional<Camera> camera = choose_camera(scene, request.camera, result.problems);
+    std::optional<Camera> camera = choose_camera(scene, request, result.problems);
     if (camera) check_camera(*camera, scene, result.problems);
     if (!result.problems.empty()) return result;
     if (request.frame) turn(*camera, *request.frame, notes);
@@ -180,7 +190,7 @@ CompleteResult complete(Scene& scene, const Request& request) {
         notes.push_back({"light", "the scene has none: a headlight, directional along the view, Ip 1"});
     }
     for (const std::string& remark : scene.remarks) notes.push_back({"file", remark});
-    result.completed = Completed{view, std::move(notes), dark};
+    result.completed = Completed{view, std::move(notes), dark, *camera};
     return result;
 }
 

@@ -33,9 +33,10 @@ struct Completed {
     View view;
     std::vector<Line> notes;
     bool headlight = false; // was added
+    Camera camera;          // that was chosen, turned
 };
 
-// Puts the laws that `request` names in the place of the scene's own (plan/laws.h), adds what it lacks (camera, light), chooses the camera that `request` names, turns it by the turntable's frame.
+// Leaves out what `request` names, puts the laws that it names in the place of the scene's own (plan/laws.h), adds what it lacks (camera, light), chooses the camera that `request` names, turns it by the turntable's frame.
 // Returns problems for a name that no camera has, an image beyond limits, a crop outside of it, a camera without a direction.
 struct CompleteResult {
     std::optional<Completed> completed;

@@ -1,7 +1,7 @@
 // What the user asked for: the options of the command line, checked for range but not yet held against the scene.
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/edit.h"
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -19,6 +19,7 @@ enum class Output { pixels, radiance };                       // display-referre
 
 struct Rect {
     glm::uvec2 offset{0}, size{0};
+    bool operator==(const Rect&) const = default;
 }; // pixels, origin at the upper left
 
 enum class TreeBuilder { host, device };
@@ -30,6 +31,7 @@ struct AccelParameters {
     glm::uvec3 cells{0};                     // of the grid
     double density = 0;                      // cells of the grid a primitive
     unsigned depth = 0;                      // of the octree at most
+    bool operator==(const AccelParameters&) const = default;
 };
 
 enum class Solver { progressive, full };
@@ -47,6 +49,7 @@ struct RadiosityParameters {
     std::optional<glm::uvec2> pick; // pixel whose patch is shown
     bool feed = false;              // lights without area feed scenes that glow, too
     bool correct_near = true;       // analytic form factors where a hemi-cube is wrong (Baum, Rushmeier, Winget 1989)
+    bool operator==(const RadiosityParameters&) const = default;
 };
 
 struct Request {
@@ -55,6 +58,7 @@ struct Request {
     std::optional<glm::uvec2> size;         // absent: the scene's [film], else 1280x720
     std::optional<Rect> crop;               // inside the image
     std::string camera;                     // name; empty: the first
+    std::optional<Camera> placed;           // of the user's own, in the place of the scene's
     std::optional<int> frame;               // of the turntable
     unsigned subdivide = 0;                 // 0 to 8
     std::optional<Model> model;             // in the place of the materials' own
@@ -79,6 +83,8 @@ struct Request {
     unsigned max_level = 2;                         // of adaptive sampling: a pixel is split in 4 at most so many times
 
     RadiosityParameters radiosity;
+    SceneEdits edits; // before anything is decided
+    bool operator==(const Request&) const = default;
 };
 
 } // namespace lightbench

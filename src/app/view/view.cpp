@@ -1,0 +1,62 @@
+// lightbench view [SCENE]: the viewer, from its options to its end.
+#include "app/assets.h"
+#include "app/commands.h"
+#include "app/errors.h"
+#include "app/view/viewer.h"
+#include "image/file_bytes.h"
+
+#include <CLI/CLI.hpp>
+
+namespace lightbench {
+namespace {
+
+struct ViewArguments {
+    Given given;
+    std::string screenshots, log;
+    bool no_vsync = false, list_keys = false;
+};
+
+view::ViewOptions check_arguments(const ViewArguments& arguments) {
+    Problems problems;
+    view::ViewOptions options;
+    options.scene = parse_scene_options(arguments.given, problems);
+    if (options.scene.scene.empty()) options.scene.scene = find_assets() / "scenes/default.toml";
+    if (options.scene.frames) problems.push_back({"--frames", 0, 0, "the viewer shows one frame; --frame N chooses where it starts"});
+    if (options.scene.request.terms) problems.push_back({"--terms", 0, 0, "layers go into an .exr; `lightbench render` writes it"});
+    if (!options.scene.solution.empty())
+        problems.push_back({"--solution", 0, 0, "the viewer keeps its solutions while it runs; `lightbench render` keeps them in files"});
+    if (!options.scene.stats.empty())
+        problems.push_back({"--stats", 0, 0, "times are in the panel; `lightbench render` with the command copied there writes them"});
+    options.log = arguments.log, options.vsync = !arguments.no_vsync;
+    if (!arguments.screenshots.empty()) options.screenshots = arguments.screenshots;
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(options.screenshots, ignored))
+        problems.push_back({"--screenshots", 0, 0, fmt::format("there is no folder {}; it must exist", options.screenshots.string())});
+    if (!problems.empty()) throw UserError(problems);
+    return options;
+}
+
+void run_viewer(const ViewArguments& arguments) {
+    if (arguments.list_keys) return fmt::print("{}", view::keys_markdown());
+    const view::ViewOptions options = check_arguments(arguments);
+    const SceneOptions& scene = options.scene;
+    view::Opened opened = view::open_scene(scene.scene, load_or_throw(scene.scene, scene.allow_outside), scene.request, 1);
+    view::Viewer viewer(options, std::move(opened), gpu::Device::open({scene.device}));
+    viewer.run();
+    viewer.close();
+}
+
+} // namespace
+
+void add_view(CLI::App& app, int&) {
+    auto arguments = std::make_shared<ViewArguments>();
+    CLI::App* sub = app.add_subcommand("view", "the interactive viewer: fly around a scene, switch what it shows and costs");
+    declare_scene_options(*sub, arguments->given, false);
+    sub->add_option("--screenshots", arguments->screenshots, "folder that F12 saves to; default the current one")->type_name("DIR");
+    sub->add_option("--log", arguments->log, "what happens, a line each, into this file")->type_name("FILE");
+    sub->add_flag("--no-vsync", arguments->no_vsync, "frames of the window do not wait for the screen");
+    sub->add_flag("--list-keys", arguments->list_keys, "print the keys as a Markdown table, and end");
+    sub->callback([arguments] { run_viewer(*arguments); });
+}
+
+} // namespace lightbench

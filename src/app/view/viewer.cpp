@@ -1,0 +1,256 @@
+#include "app/view/viewer.h"
+
+#include "app/command_line.h"
+#include "app/errors.h"
+#include "app/validation.h"
+#include "app/view/camera.h"
+#include "gpu/validation.h"
+#include "image/files.h"
+
+#include <fmt/ranges.h>
+#include <imgui.h>
+
+namespace lightbench::view {
+namespace {
+
+constexpr Action kFlights[] = {Action::forward, Action::back, Action::left, Action::right, Action::up, Action::down};
+constexpr double kSpeed = 0.6;   // scene radii a second
+constexpr double kTap = 0.05;    // seconds that a key counts that is let go at once
+constexpr unsigned kPanel = 330; // interface.cpp
+
+glm::dvec3 direction_of(Action action) {
+    switch (action) {
+    case Action::forward: return {0, 0, 1};
+    case Action::back: return {0, 0, -1};
+    case Action::left: return {-1, 0, 0};
+    case Action::right: return {1, 0, 0};
+    case Action::up: return {0, 1, 0};
+    case Action::down: return {0, -1, 0};
+    default: return glm::dvec3(0);
+    }
+}
+
+std::string free_name(const std::filesystem::path& folder) {
+    for (unsigned i = 1;; ++i)
+        if (const auto path = folder / fmt::format("lightbench-{:04}.png", i); !std::filesystem::exists(path)) return path.string();
+}
+
+} // namespace
+
+Log::Log(const std::string& file) {
+    if (file.empty()) return;
+    out_.open(file, std::ios::trunc);
+    if (!out_) throw FileError(FileError::Blame::Environment, fmt::format("{}: cannot be written", file));
+}
+
+Interface::Interface() {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+}
+
+Interface::~Interface() {
+    ImGui::DestroyContext();
+}
+
+Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
+    : options_(options), log_(options.log), opened_(std::move(opened)), state_(start(options.scene.request, opened_)),
+      window_(fmt::format("{} - lightbench", opened_.file.filename().string()), opened_.size, kPanel), file_(options.scene.allow_outside) {
+    state_.vsync = options.vsync;
+    style_interface(window_.scale());
+    presenter_.emplace(window_.handle(), device.info().name);
+    worker_.emplace(std::move(device), [] { Window::wake(); });
+    file_.watch_files(opened_.file, opened_.scene.get());
+    remember_file(opened_.file);
+    recent_ = recent_files();
+}
+
+void Viewer::run() {
+    while (!state_.quit && !window_.closing()) step();
+    log_.say("quit");
+}
+
+void Viewer::close() {
+    const auto log = presenter_->validation_log();
+    presenter_.reset();
+    gpu::Device device = worker_->finish();
+    worker_.reset();
+    close_and_check(std::move(device));
+    if (const std::size_t said = gpu::messages_of(*log).size(); said > 0)
+        throw gpu::EnvironmentError(fmt::format("the validation layers had {} messages about the window", said));
+}
+
+// Seconds to wait for something to happen.
+double Viewer::patience() const {
+    if (first_ || flown_ != Clock::time_point{}) return 0.005;
+    return moving() || size_ != wanted_size_ ? 0.02 : news_.busy || file_.reading() ? 0.1 : 0.25;
+}
+
+void Viewer::step() {
+    take_input(window_.wait(patience()));
+    file_.watch();
+    if (auto read = file_.taken()) take_scene(std::move(*read));
+    const glm::ivec2 framebuffer = window_.framebuffer();
+    const bool minimized = framebuffer.x <= 0 || framebuffer.y <= 0;
+    if (minimized != minimized_) log_.say("{}", minimized ? "minimized" : "restored");
+    minimized_ = minimized;
+    fly();
+    take_news();
+    if (!minimized) draw();
+    ask_for_pictures();
+    do_pending();
+}
+
+void Viewer::take_input(const Input& input) {
+    for (const KeyRow* row : input.pressed) act(row->action);
+    for (const auto& file : input.dropped) file_.open(file);
+}
+
+void Viewer::act(Action action) {
+    log_.say("action {}", row_of(action).help);
+    if (const glm::dvec3 way = direction_of(action); way != glm::dvec3(0)) {
+        view::fly(state_.camera, way * (kSpeed * kTap * radius_of(opened_.bounds)));
+        return camera_moved();
+    }
+    const Camera before = state_.camera;
+    apply(action, state_, opened_, size_.y > 0 ? double(size_.x) / size_.y : 1);
+    if (!(state_.camera == before)) camera_moved();
+}
+
+// What a click showed was of the pixel that it hit.
+void Viewer::camera_moved() {
+    moved_ = Clock::now();
+    for (Request& side : state_.sides)
+        if (side.radiosity.pick) side.radiosity.pick.reset(), side.radiosity.show = Show::light;
+}
+
+void Viewer::fly() {
+    glm::dvec3 way(0);
+    for (const Action action : kFlights)
+        if (window_.held(action)) way += direction_of(action);
+    const auto now = Clock::now();
+    if (way == glm::dvec3(0)) {
+        flown_ = {};
+        return;
+    }
+    const double seconds = flown_ == Clock::time_point{} ? 0 : std::min(std::chrono::duration<double>(now - flown_).count(), 0.25);
+    flown_ = now;
+    view::fly(state_.camera, way * (kSpeed * seconds * radius_of(opened_.bounds)));
+    camera_moved();
+}
+
+// A scene that has problems leaves the one that is shown.
+void Viewer::take_scene(ReadScene read) {
+    problems_ = read.problems;
+    const bool same_file = read.file == opened_.file;
+    if (read.scene) {
+        try {
+            Request request = options_.scene.request;
+            request.camera.clear(), request.placed.reset(), request.frame.reset(), request.crop.reset();
+            opened_ = open_scene(read.file, std::move(*read.scene), request, opened_.version + 1);
+            if (!same_file) state_.camera = opened_.camera, remember_file(read.file), recent_ = recent_files();
+            window_.set_title(fmt::format("{} - lightbench", opened_.file.filename().string()));
+        } catch (const UserError& error) {
+            problems_ = error.lines;
+        }
+    }
+    if (problems_.empty() || same_file) file_.watch_files(opened_.file, problems_.empty() ? opened_.scene.get() : nullptr);
+    if (problems_.empty())
+        log_.say("opened {}", read.file.string());
+    else
+        log_.say("problem {}", fmt::join(problems_, " | "));
+}
+
+void Viewer::take_news() {
+    news_ = worker_->news();
+    if (first_ && news_.shots[0] && news_.shots[0]->pixels) {
+        first_ = false;
+        log_.say("first-frame {:.0f} ms", since_start_.milliseconds());
+    }
+}
+
+// The picture is as large as its room; while the window is being resized, the last one is stretched.
+void Viewer::fit_size() {
+    const ImGuiIO& io = ImGui::GetIO();
+    const PictureArea area = picture_area(state_, {io.DisplaySize.x, io.DisplaySize.y}, window_.scale(), std::nullopt);
+    const glm::vec2 pixels = area.room * glm::vec2(io.DisplayFramebufferScale.x, io.DisplayFramebufferScale.y);
+    const glm::uvec2 wanted = state_.size.value_or(glm::clamp(glm::uvec2(pixels), glm::uvec2(1), glm::uvec2(16384)));
+    if (wanted != wanted_size_) wanted_size_ = wanted, sized_ = Clock::now();
+    const bool rests = Clock::now() - sized_ > std::chrono::milliseconds(150);
+    if (size_ == wanted || (size_.x > 0 && !rests)) return;
+    size_ = wanted;
+    log_.say("size {}x{}", size_.x, size_.y);
+    for (Request& side : state_.sides)
+        if (side.radiosity.pick) side.radiosity.pick.reset(), side.radiosity.show = Show::light;
+}
+
+void Viewer::ask_for_pictures() {
+    if (size_.x == 0) return;
+    Wish wish{{opened_.scene, opened_.version}, {request_of(state_, state_.split ? 0 : state_.active, size_)}, moving()};
+    if (state_.split) wish.sides.push_back(request_of(state_, 1, size_));
+    wish.wireframe = state_.wireframe, wish.normals = state_.normals;
+    if (!wished_.sides.empty() && wish.same_picture(wished_)) return;
+    wished_ = wish;
+    worker_->wish(std::move(wish));
+    news_ = worker_->news();
+}
+
+void Viewer::inspect(glm::uvec2 pixel) {
+    Request request = request_of(state_, state_.active, size_);
+    if (request.crop) pixel += request.crop->offset;
+    request.crop = Rect{pixel, {1, 1}};
+    request.output = Output::radiance, request.sampling = Sampling::none, request.spp = 1;
+    worker_->ask({{opened_.scene, opened_.version}, request, pixel});
+    log_.say("click {},{}", pixel.x, pixel.y);
+    RadiosityParameters& radiosity = state_.side().radiosity;
+    if (request.method != Method::radiosity) return;
+    radiosity.pick = pixel;
+    if (radiosity.show == Show::light || radiosity.show == Show::patches) radiosity.show = Show::form_factors;
+}
+
+std::vector<std::string> Viewer::render_words(unsigned side) const {
+    std::vector<std::string> words = options_of(request_of(state_, side, size_));
+    if (options_.scene.allow_outside) words.push_back("--allow-outside");
+    if (!options_.scene.device.empty()) words.push_back("--device"), words.push_back(options_.scene.device);
+    words.insert(words.begin(), {"lightbench", "render", opened_.file.string()});
+    return words;
+}
+
+std::string Viewer::command(unsigned side) const {
+    std::vector<std::string> words = render_words(side);
+    words.push_back("-o"), words.push_back("picture.png");
+    return shell_line(words);
+}
+
+void Viewer::save_screenshot() {
+    const unsigned side = state_.split ? state_.active : 0;
+    if (!news_.shots[side] || !news_.shots[side]->pixels) return;
+    const std::string path = free_name(options_.screenshots);
+    try {
+        write_png(path, *news_.shots[side]->pixels);
+        message_ = fmt::format("saved {}{}", path, state_.wireframe || state_.normals ? " (without the lines over it)" : "");
+        log_.say("screenshot {}", path);
+    } catch (const FileError& error) {
+        message_ = error.what();
+        log_.say("problem {}", error.what());
+    }
+}
+
+// What was asked for, once there is a picture that is what the settings say.
+void Viewer::do_pending() {
+    if (state_.copy) {
+        ImGui::SetClipboardText(command(state_.active).c_str());
+        message_ = "copied: " + command(state_.active);
+        log_.say("copied {}", command(state_.active));
+        state_.copy = false;
+    }
+    const bool done = settled() && news_.shots[0];
+    if (done && news_.settled != told_) {
+        told_ = news_.settled;
+        const Shot& shot = *news_.shots[state_.split ? state_.active : 0];
+        if (!news_.problem.empty()) log_.say("problem {}", news_.problem);
+        log_.say("settled {:.1f} ms {}", shot.milliseconds, command(state_.active));
+    }
+    if (done && state_.screenshot) save_screenshot(), state_.screenshot = false;
+}
+
+} // namespace lightbench::view

@@ -1,0 +1,92 @@
+// The thread that renders. In: what is to be shown, the latest wish alone counts. Out: pictures as they become better, comparisons, ray trees.
+// The window's thread never waits for it.
+#pragma once
+
+#include "app/view/stage.h"
+#include "image/compare.h"
+#include "render/probe.h"
+
+#include <array>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace lightbench::view {
+
+struct Wish {
+    SceneVersion scene{};
+    std::vector<Request> sides{}; // one or two, with size and camera
+    bool moving = false;          // the camera is: quick and coarse
+    bool wireframe = false, normals = false;
+    bool same_picture(const Wish& other) const {
+        return scene.version == other.scene.version && sides == other.sides && moving == other.moving && wireframe == other.wireframe &&
+               normals == other.normals;
+    }
+};
+
+struct Question {
+    SceneVersion scene{};
+    Request request{};
+    glm::uvec2 pixel{0};
+};
+
+// Of the two sides at rest.
+struct Versus {
+    double rmse = 0, flip = 0;
+    std::shared_ptr<const Image8> difference, flip_map;
+};
+
+struct Answer {
+    Question question{};
+    std::optional<Probe> probe{};
+    std::string problem{};
+};
+
+// What there is by now; pointers change when something is new.
+struct News {
+    std::array<std::shared_ptr<const Shot>, 2> shots{};
+    std::shared_ptr<const Versus> versus{};
+    std::shared_ptr<const Answer> answer{};
+    std::string problem{};     // of the wish; empty: none
+    bool busy = false;         // something is not done yet
+    bool first_use = false;    // pipelines of this variant are made and compiled
+    double progress = 0;       // share of the picture in work
+    double pending_for = 0;    // milliseconds since the wish in work was taken up
+    std::uint64_t settled = 0; // wishes that were done to the end
+};
+
+class Worker {
+  public:
+    // `wake` is called from the worker's thread whenever there is news.
+    Worker(gpu::Device device, std::function<void()> wake);
+    ~Worker();
+    void wish(Wish wish);
+    void ask(Question question);
+    News news() const;
+    const gpu::DeviceInfo& device_info() const { return info_; }
+    gpu::Device finish(); // stops; hands the device back
+
+  private:
+    void run();
+    void take(const Wish& wish);
+    void answer(const Question& question);
+    bool shoot(const Wish& wish, unsigned side);
+    void compare(const Wish& wish);
+    bool superseded(const Wish& wish) const;
+    void publish(const std::function<void(News&)>& change);
+
+    gpu::DeviceInfo info_;
+    std::optional<gpu::Device> device_;
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable something_;
+    std::optional<Wish> next_;
+    std::optional<Question> question_;
+    News news_;
+    std::chrono::steady_clock::time_point since_{};
+    std::optional<Stage> stage_; // of the worker's thread, as what follows
+    bool stop_ = false;
+    std::thread thread_; // the last: it uses all of the above
+};
+
+} // namespace lightbench::view

@@ -1,0 +1,24 @@
+// A scene as somebody wants to see it, not as its file has it: without some effects.
+// In: a scene and what to leave out. Out: the same scene changed, and how much of it was. Each may be done again without further change.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <array>
+#include <string_view>
+
+namespace lightbench {
+
+// What can be left out; bit i of SceneEdits::without is kStrippable[i].
+constexpr std::array<std::string_view, 5> kStrippable = {"texture", "bump", "environment", "transparency", "reflection"};
+constexpr std::uint32_t kWithoutTexture = 1, kWithoutBump = 2, kWithoutEnvironment = 4, kWithoutTransparency = 8, kWithoutReflection = 16;
+
+struct SceneEdits {
+    std::uint32_t without = 0;
+    bool operator==(const SceneEdits&) const = default;
+};
+
+// Materials (and for the environment, the map) lose what `effects` names; returns how many materials changed.
+std::size_t keep_without(Scene& scene, std::uint32_t effects);
+
+} // namespace lightbench
