@@ -52,6 +52,10 @@ struct RadiosityParameters {
     bool operator==(const RadiosityParameters&) const = default;
 };
 
+inline bool operator==(const Camera& a, const Camera& b) {
+    return a.name == b.name && a.position == b.position && a.target == b.target && a.up == b.up && a.fov == b.fov && a.hither == b.hither;
+}
+
 struct Request {
     Method method = Method::raster;
     Shading shading = Shading::phong;

@@ -151,7 +151,6 @@ struct Camera {
     double fov = 0.7853981633974483; // radians, vertical, (0, pi)
     double hither = 0;               // metres; nothing nearer is seen
     // Square pixels are the rule; NFF and TOML may fix a size.
-    bool operator==(const Camera&) const = default;
 };
 
 struct Environment {

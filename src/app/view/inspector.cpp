@@ -88,11 +88,12 @@ void draw_rays(const Shown& shown, const State& state, const PictureArea& area) 
     const Shot* shot = shot_of(shown, state);
     if (!answer || !answer->probe || shot == nullptr || shot->view.size.x == 0) return;
     if (answer->question.scene.version != shown.opened.version) return; // of another scene
-    const glm::dvec2 zoom = glm::dvec2(area.size) / glm::dvec2(shot->view.size);
+    const Rect part = shot->plan.crop;
+    const glm::dvec2 zoom = glm::dvec2(area.size) / glm::dvec2(part.size);
     const auto place = [&](const glm::dvec3& p) -> std::optional<ImVec2> {
         const auto pixel = pixel_of(shot->view, p);
         if (!pixel) return std::nullopt;
-        const glm::dvec2 at = glm::dvec2(area.at) + *pixel * zoom;
+        const glm::dvec2 at = glm::dvec2(area.at) + (*pixel - glm::dvec2(part.offset)) * zoom;
         return ImVec2(static_cast<float>(at.x), static_cast<float>(at.y));
     };
     ImDrawList* list = ImGui::GetBackgroundDrawList();

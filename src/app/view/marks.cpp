@@ -95,9 +95,8 @@ void mark(Shot& shot, const Scene& scene, bool wireframe, bool normals) {
     request.method = Method::raster, request.shading = Shading::phong, request.placed = shot.request.placed;
     const Prepared prepared = prepare(copy, request);
     auto marked = std::make_shared<Image8>(*shot.pixels);
-    const glm::dvec2 crop = glm::dvec2(request.crop ? request.crop->size : prepared.view.size);
-    const glm::dvec2 scale = glm::dvec2(marked->width, marked->height) / crop;
-    const glm::dvec2 offset = request.crop && !shot.coarse ? glm::dvec2(request.crop->offset) * scale : glm::dvec2(0);
+    const Rect part = request.crop.value_or(Rect{{0, 0}, prepared.view.size});
+    const glm::dvec2 scale = glm::dvec2(marked->width, marked->height) / glm::dvec2(part.size), offset = glm::dvec2(part.offset) * scale;
     const Projector to_pixel{prepared.view, prepared.geometry.frame, scale, offset};
     if (wireframe) draw_edges(*marked, prepared.geometry, to_pixel);
     if (normals) draw_normals(*marked, prepared.geometry, to_pixel);

@@ -56,9 +56,8 @@ std::shared_ptr<Shot> shot_of(Slot& slot, const Request& request, const View& vi
 
 // With fewer pixels and one sample each.
 Request coarse(Request request, unsigned halvings) {
-    const glm::uvec2 size = request.size.value();
-    request.size = glm::max(size >> halvings, glm::uvec2(1));
-    request.spp = 1, request.sampling = Sampling::none, request.filter = Filter::box, request.crop.reset();
+    if (!request.crop) request.size = glm::max(*request.size >> halvings, glm::uvec2(1));
+    request.spp = 1, request.sampling = Sampling::none, request.filter = Filter::box;
     return request;
 }
 

@@ -161,7 +161,10 @@ void Viewer::take_scene(ReadScene read) {
 }
 
 void Viewer::take_news() {
+    const auto before = news_.answer;
     news_ = worker_->news();
+    if (news_.answer && news_.answer != before)
+        log_.say("answered {} rays{}", news_.answer->probe ? news_.answer->probe->rays.size() : 0, news_.answer->problem);
     if (first_ && news_.shots[0] && news_.shots[0]->pixels) {
         first_ = false;
         log_.say("first-frame {:.0f} ms", since_start_.milliseconds());

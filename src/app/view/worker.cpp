@@ -56,8 +56,8 @@ gpu::Device Worker::finish() {
 void Worker::wish(Wish wish) {
     {
         const std::lock_guard lock(mutex_);
-        next_ = std::move(wish);
-        news_.busy = true;
+        if (!news_.busy) since_ = std::chrono::steady_clock::now();
+        next_ = std::move(wish), news_.busy = true;
     }
     something_.notify_one();
 }
