@@ -95,7 +95,8 @@ void draw_compare(const State& s, const Shown& shown, Hand& hand) {
 
 void draw_scene(const State& s, const Shown& shown, Hand& hand) {
     ImGui::TextWrapped("%s", shown.opened.file.filename().string().c_str());
-    action_row({Action::copy, Action::screenshot}, s, shown.opened, hand);
+    action_row({Action::copy}, s, shown.opened, hand);
+    action_row({Action::screenshot}, s, shown.opened, hand);
     action_row({Action::frame, Action::reset, Action::vsync}, s, shown.opened, hand);
     action_row({Action::help, Action::panel}, s, shown.opened, hand);
     if (!shown.message.empty()) ImGui::TextWrapped("%s", shown.message.c_str());
@@ -123,9 +124,7 @@ std::string note(const Shown& shown) {
     if (shown.reading) return "reading the scene";
     const News& news = shown.news;
     if (!news.busy || news.pending_for < 300) return "";
-    const std::string share = news.progress > 0 ? fmt::format(" {:.0f} %", 100 * news.progress) : "";
-    if (news.first_use && news.progress == 0) return "compiling: first use of this variant";
-    return "rendering" + share;
+    return news.progress > 0 ? fmt::format("{} {:.0f} %", news.doing, 100 * news.progress) : news.doing;
 }
 
 void draw_note(const Shown& shown, const PictureArea& area) {
@@ -165,16 +164,16 @@ void draw_panel(State& state, const Shown& shown, float width, float height, Han
     ImGui::SetNextWindowPos(ImVec2(0, 0));
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::Begin("panel", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_AlwaysVerticalScrollbar * 0);
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings);
     draw_problems(shown);
     constexpr ImGuiTreeNodeFlags open = ImGuiTreeNodeFlags_DefaultOpen;
     if (ImGui::CollapsingHeader("scene", open)) draw_scene(state, shown, hand);
     if (ImGui::CollapsingHeader("light and surfaces", open)) draw_settings(state, shown.opened, hand);
     if (ImGui::CollapsingHeader("how finely", open)) draw_detail(state, shown.opened, hand);
     if (ImGui::CollapsingHeader("side by side", open)) draw_compare(state, shown, hand);
-    if (ImGui::CollapsingHeader("times", open)) draw_times(shown, state);
     if (shown.news.answer && ImGui::CollapsingHeader("rays of a pixel", open)) draw_inspector(shown);
+    if (ImGui::CollapsingHeader("times", open)) draw_times(shown, state);
     if (ImGui::CollapsingHeader("plan")) draw_plan(shown, state);
     ImGui::End();
 }

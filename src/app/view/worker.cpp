@@ -110,6 +110,7 @@ void Worker::run() {
 }
 
 void Worker::take(const Wish& wish) {
+    publish([](News& news) { news.doing = "rendering", news.versus.reset(); });
     const std::string problem = problem_of([&] {
         for (unsigned side = 0; side < wish.sides.size(); ++side)
             if (!shoot(wish, side)) return;
@@ -117,7 +118,7 @@ void Worker::take(const Wish& wish) {
     });
     if (!problem.empty()) stage_->clear(); // what failed half-way is not gone on with
     publish([&](News& news) {
-        news.problem = problem, news.first_use = false, news.progress = 0;
+        news.problem = problem, news.progress = 0;
         if (wish.sides.size() == 1) news.shots[1].reset(), news.versus.reset();
         if (next_) return;
         news.busy = false, ++news.settled;
@@ -127,7 +128,7 @@ void Worker::take(const Wish& wish) {
 // False: it is not wanted any more.
 bool Worker::shoot(const Wish& wish, unsigned side) {
     const Request& request = wish.sides[side];
-    const auto first_use = [&] { publish([](News& news) { news.first_use = true; }); };
+    const auto first_use = [&] { publish([](News& news) { news.doing = "compiling: first use of this variant"; }); };
     const auto show = [&](std::shared_ptr<Shot> shot) {
         if (shot->pixels && (wish.wireframe || wish.normals)) mark(*shot, *wish.scene.scene, wish.wireframe, wish.normals);
         publish([&](News& news) { news.shots[side] = std::move(shot), news.problem.clear(); });
@@ -138,7 +139,7 @@ bool Worker::shoot(const Wish& wish, unsigned side) {
     } else {
         RenderOptions options;
         options.stop = [&] { return superseded(wish); };
-        options.progress = [&](double share) { publish([share](News& news) { news.progress = share; }); };
+        options.progress = [&](double share) { publish([share](News& news) { news.progress = share, news.doing = "rendering"; }); };
         options.pass = [&](const RenderOutput& so_far) {
             auto pass = std::make_shared<Shot>();
             pass->request = request;
@@ -156,6 +157,7 @@ void Worker::compare(const Wish& wish) {
     const News now = news();
     const std::shared_ptr<const Image8> a = now.shots[0]->pixels, b = now.shots[1]->pixels;
     if (!a || !b || a->width != b->width || a->height != b->height) return;
+    publish([](News& news) { news.doing = "comparing the sides", news.progress = 0; });
     auto versus = std::make_shared<Versus>();
     versus->rmse = metrics(*a, *b).rmse;
     versus->difference = std::make_shared<const Image8>(difference_of(*a, *b));

@@ -49,7 +49,7 @@ struct News {
     std::shared_ptr<const Answer> answer{};
     std::string problem{};     // of the wish; empty: none
     bool busy = false;         // something is not done yet
-    bool first_use = false;    // pipelines of this variant are made and compiled
+    std::string doing{};       // for people: "rendering"
     double progress = 0;       // share of the picture in work
     double pending_for = 0;    // milliseconds since the wish in work was taken up
     std::uint64_t settled = 0; // wishes that were done to the end
