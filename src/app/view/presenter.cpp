@@ -32,6 +32,7 @@ struct PresenterParts {
 namespace {
 
 constexpr vk::ImageSubresourceRange kWhole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
+constexpr std::uint64_t kPatience = 100'000'000; // nanoseconds that a frame waits for the screen; hidden windows may get no image at all
 constexpr std::array<float, 4> kBackground = {0.09f, 0.09f, 0.1f, 1};
 
 void check_backend(VkResult result) {
@@ -90,7 +91,8 @@ bool renew_chain(PresenterParts& p) {
 
 std::optional<std::uint32_t> acquire(PresenterParts& p) {
     try {
-        const auto [result, image] = p.chain.chain.acquireNextImage(UINT64_MAX, *p.frames[p.frame].acquired, nullptr);
+        const auto [result, image] = p.chain.chain.acquireNextImage(kPatience, *p.frames[p.frame].acquired, nullptr);
+        if (result == vk::Result::eTimeout || result == vk::Result::eNotReady) return std::nullopt; // a frame later
         p.stale = result == vk::Result::eSuboptimalKHR;
         return image;
     } catch (const vk::OutOfDateKHRError&) {
@@ -169,7 +171,7 @@ bool show(PresenterParts& p, std::span<const Placement> placements) {
     PresenterParts::Frame& f = p.frames[p.frame];
     vk::resultCheck(p.screen.device.waitForFences(*f.done, true, UINT64_MAX), "vkWaitForFences");
     std::optional<std::uint32_t> image = acquire(p);
-    if (!image && renew_chain(p)) image = acquire(p);
+    if (!image && p.stale && renew_chain(p)) image = acquire(p);
     if (!image) return false;
     p.screen.device.resetFences(*f.done);
     f.pool.reset();

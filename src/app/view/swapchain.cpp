@@ -5,11 +5,13 @@
 namespace lightbench::view {
 namespace {
 
+// A driver on the CPU copies into the window: there is no screen to wait for, and Mesa 22.3.6's queue for waiting may never give an image back.
 // Without vsync: the newest picture replaces the one that waits, else tearing, else vsync all the same (which alone is always there).
 vk::PresentModeKHR present_mode(const Screen& screen, bool vsync) {
-    if (vsync) return vk::PresentModeKHR::eFifo;
+    const bool cpu = screen.physical.getProperties().deviceType == vk::PhysicalDeviceType::eCpu;
+    if (vsync && !cpu) return vk::PresentModeKHR::eFifo;
     const auto modes = screen.physical.getSurfacePresentModesKHR(*screen.surface);
-    for (const auto mode : {vk::PresentModeKHR::eMailbox, vk::PresentModeKHR::eImmediate})
+    for (const auto mode : {cpu ? vk::PresentModeKHR::eImmediate : vk::PresentModeKHR::eMailbox, vk::PresentModeKHR::eImmediate})
         if (std::ranges::find(modes, mode) != modes.end()) return mode;
     return vk::PresentModeKHR::eFifo;
 }

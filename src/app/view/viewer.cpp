@@ -251,7 +251,7 @@ void Viewer::do_pending() {
         told_ = news_.settled;
         const Shot& shot = *news_.shots[state_.split ? state_.active : 0];
         if (!news_.problem.empty()) log_.say("problem {}", news_.problem);
-        log_.say("settled {:.1f} ms {}", shot.milliseconds, command(state_.active));
+        log_.say("settled {:.1f} ms, {:.1f} on the device: {}", shot.milliseconds, shot.output.device_milliseconds, command(state_.active));
     }
     if (done && state_.screenshot) save_screenshot(), state_.screenshot = false;
 }
