@@ -73,7 +73,7 @@ TEST_F(Driven, StartsShowsAndSavesWhatRenderRenders) {
     EXPECT_EQ(rendered(expect("copied ")), bytes_of(path));
     key("2"), key("l"), key("period"), key("period"); // Gouraud, another law, nine samples
     expect("settled");
-    tool("mousemove --window " + window + " 380 60 mousedown 1 mousemove_relative 37 21 mouseup 1"); // orbit
+    tool("mousemove --window " + window + " 380 60 mousedown 1 sleep 0.3 mousemove_relative 37 21 sleep 0.3 mouseup 1"); // orbit
     expect("settled");
     key("F12");
     const std::string other = expect("screenshot ");
@@ -122,7 +122,7 @@ TEST_F(Driven, SidesAreWipedAndComparedAndAPixelExplained) {
     key("c");
     key("1"); // side B flat
     expect("settled");
-    tool("mousemove --window " + window + " 410 60 mousedown 1 mousemove_relative -- -30 0 mouseup 1"); // the line of the wipe
+    tool("mousemove --window " + window + " 410 60 mousedown 1 sleep 0.3 mousemove_relative -- -30 0 sleep 0.3 mouseup 1"); // the line of the wipe
     key("z"), key("z"), key("z");
     key("c");
     tool("mousemove --window " + window + " 405 60 click 1");
