@@ -11,7 +11,8 @@ using ::testing::HasSubstr;
 Scene ball() {
     Scene scene;
     Material m;
-    m.specular = glm::vec3(0.5f), m.texture = Texture{}, m.bump = Bump{.function = BumpFunction::waves};
+    m.specular = glm::vec3(0.5f), m.texture = Texture{}, m.bump = Bump{};
+    m.bump->function = BumpFunction::waves;
     m.opacity = glm::vec3(0.5f), m.transmission = glm::vec3(0.2f), m.environment = 0.3f, m.reflection = glm::vec3(0.4f);
     scene.materials = {m, Material{}};
     scene.objects.push_back({Sphere{}});
