@@ -9,6 +9,8 @@
 #include "app/stats.h"
 #include "app/validation.h"
 #include "image/file_bytes.h"
+#include "measure/function_curves.h"
+#include "measure/pareto.h"
 #include "measure/report_csv.h"
 #include "measure/report_html.h"
 #include "measure/report_json.h"
@@ -30,6 +32,8 @@ struct CostArguments {
     std::string folder, rounds, seconds;
     bool list = false, strict = false;
 };
+
+constexpr const char* kFunctions = "functions"; // the knob that has no pictures: --knob functions
 
 // A sweep renders hundreds of pictures: as many pixels as 320 x 180, in the shape of the scene's own picture.
 std::string default_size(const Scene& scene) {
@@ -56,6 +60,7 @@ RoundLimits parse_limits(const CostArguments& a, Problems& problems) {
 std::vector<KnobUse> parse_knobs(const std::vector<std::string>& texts, Problems& problems) {
     std::vector<KnobUse> uses;
     for (const std::string& text : texts) {
+        if (text == kFunctions) continue;
         std::string problem;
         const auto use = parse_knob(text, problem);
         if (!use)
@@ -142,9 +147,24 @@ PlannedReport plan_report(const CostArguments& a, Scene& scene) {
     return planned;
 }
 
+// Stable against naive formulas, which no picture shows.
+void add_functions(CostReport& report, gpu::Device& device, const Messages& messages) {
+    messages.step("trying shader functions");
+    for (CostCurve& curve : function_curves(device)) {
+        mark_fronts(curve.points);
+        fmt::print("{}", curve_table(curve));
+        report.curves.push_back(std::move(curve));
+    }
+}
+
 // Returns the exit code.
 int cost(const CostArguments& a) {
-    if (a.list) return fmt::print("{}", knob_list()), 0;
+    if (a.list) {
+        fmt::print("{}{:<14}stable formulas of shader functions against the textbooks', and those in float64\n"
+                   "  reference   an oracle of 60 digits; milliseconds are those of 10^6 calls\n",
+                   knob_list(), kFunctions);
+        return 0;
+    }
     Scene scene;
     const PlannedReport planned = plan_report(a, scene);
     const Messages messages{planned.options.quiet, planned.options.progress};
@@ -160,7 +180,7 @@ int cost(const CostArguments& a) {
         fmt::print("{}", curve_table(swept.curve));
         messages.say(fmt::format("{}: {:.1f} s", knob.knob->name, watch.milliseconds() / 1000));
     }
-    // Knobs that are not pictures (shader functions) append their curves here.
+    if (std::ranges::find(a.knobs, kFunctions) != a.knobs.end()) add_functions(report, device, messages);
     write_report(report, a.folder);
     close_and_check(std::move(device));
     return a.strict && broken > 0 ? 1 : 0;

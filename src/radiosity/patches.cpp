@@ -219,4 +219,16 @@ PatchMesh make_patches(const Scene& scene, const PatchRequest& request) {
     return mesh;
 }
 
+void make_elements_patches(PatchMesh& mesh) {
+    mesh.patches.clear();
+    for (Element& element : mesh.elements) {
+        const auto number = static_cast<std::uint32_t>(mesh.patches.size());
+        Patch patch{number, 1, element.center, element.normal, element.area, 0};
+        for (std::size_t i = 0; i < element.size(); ++i)
+            patch.radius = std::max(patch.radius, glm::distance(mesh.points[element.corners[i]], element.center));
+        element.patch = number;
+        mesh.patches.push_back(patch);
+    }
+}
+
 } // namespace lightbench

@@ -62,4 +62,7 @@ struct PatchMesh {
 // Throws std::length_error if there would be more than `limits::kMaxElements`.
 PatchMesh make_patches(const Scene& scene, const PatchRequest& request);
 
+// Every element becomes a patch of its own, as the full matrix wants it.
+void make_elements_patches(PatchMesh& mesh);
+
 } // namespace lightbench

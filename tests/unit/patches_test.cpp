@@ -187,6 +187,18 @@ TEST(Patches, AreTheSameEachTime) {
     for (std::size_t i = 0; i < a.elements.size(); ++i) EXPECT_EQ(a.elements[i].corners, b.elements[i].corners);
 }
 
+TEST(Patches, MayBeElements) {
+    PatchMesh mesh = make_patches(scene_of({Sphere{}, Box{}, polygon({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}})}), {.element = 0.5});
+    ASSERT_LT(mesh.patches.size(), mesh.elements.size());
+    make_elements_patches(mesh);
+    ASSERT_EQ(mesh.patches.size(), mesh.elements.size());
+    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
+        EXPECT_EQ(mesh.elements[i].patch, i);
+        EXPECT_EQ(mesh.patches[i].area, mesh.elements[i].area);
+        EXPECT_GT(mesh.patches[i].radius, 0);
+    }
+}
+
 TEST(Patches, RefuseTooMany) {
     const Scene scene = scene_of({Sphere{}, Box{}, polygon({{0, 0, 0}, {3, 0, 0}, {0, 3, 0}})});
     for (const double element : {1e-4, 1e-9, 1e-300}) EXPECT_THROW(make_patches(scene, {.element = element}), std::length_error) << element;

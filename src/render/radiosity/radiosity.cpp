@@ -65,7 +65,9 @@ PatchRequest patches_for(const RadiosityParameters& p) {
 
 PatchMesh mesh_for(const Scene& scene, const RadiosityParameters& p) {
     try {
-        return make_patches(scene, patches_for(p));
+        PatchMesh mesh = make_patches(scene, patches_for(p));
+        if (p.solver == Solver::full) make_elements_patches(mesh);
+        return mesh;
     } catch (const std::length_error&) {
         throw FileError(FileError::Blame::Input,
                         fmt::format("--patch: the scene would have more than {} elements; choose a larger one", limits::kMaxElements));
