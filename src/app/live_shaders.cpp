@@ -1,9 +1,13 @@
 #include "app/live_shaders.h"
 
 #include "app/errors.h"
+#include "gpu/errors.h"
+#include "image/file_bytes.h"
+#include "render/live/fits.h"
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace lightbench {
@@ -24,22 +28,66 @@ gpu::Constants slider_constants(const std::vector<Slider>& sliders, const std::m
     return constants;
 }
 
-void use_shaders(gpu::Device& device, const std::vector<std::filesystem::path>& files, const std::map<std::string, float>& sliders) {
-    if (files.empty() && sliders.empty()) return;
-    const std::filesystem::path sources = find_shader_sources();
+std::filesystem::path shader_sources() {
+    std::filesystem::path sources = find_shader_sources();
     if (sources.empty())
         throw gpu::EnvironmentError(
             "the program's shader sources, into which --shader is put, are missing (LIGHTBENCH_SHADERS names their folder)");
+    return sources;
+}
+
+ShaderTree tree_with(const std::filesystem::path& root, const std::vector<std::filesystem::path>& files) {
     for (const auto& file : files)
         if (!std::filesystem::is_regular_file(file)) throw UserError(file.string(), "is not a file that can be read");
-    const ShaderTree tree(sources, files);
-    CompiledShaders compiled = tree.compile(tree.replaced());
+    return ShaderTree(root, files);
+}
+
+std::set<std::string> edited_entry_points(const ShaderTree& tree, const std::filesystem::path& root, const std::vector<Slider>& sliders) {
+    std::vector<std::string> files;
+    for (const Slider& slider : sliders) files.push_back(std::filesystem::path(slider.file).lexically_relative(root).generic_string());
+    std::set<std::string> names = tree.dependents(files);
+    names.merge(tree.replaced());
+    return names;
+}
+
+void use_shaders(gpu::Device& device, const std::vector<std::filesystem::path>& files, const std::map<std::string, float>& sliders) {
+    if (files.empty() && sliders.empty()) return;
+    const std::filesystem::path root = shader_sources();
+    const ShaderTree tree = tree_with(root, files);
+    CompiledShaders compiled = tree.compile(edited_entry_points(tree, root, tree.compile({}).sliders));
     if (!compiled.errors.empty()) {
         std::vector<std::string> lines;
         for (const ShaderError& error : compiled.errors) lines.push_back(to_string(error));
         throw UserError(lines);
     }
     device.replace_shaders(std::move(compiled.modules), slider_constants(compiled.sliders, sliders));
+}
+
+void write_modules(const ShaderModules& modules, const std::filesystem::path& folder) {
+    for (const auto& [name, words] : modules) {
+        const std::filesystem::path file = folder / (name + ".spv");
+        std::filesystem::create_directories(file.parent_path());
+        write_file(file.string(), std::string_view(reinterpret_cast<const char*>(words.data()), words.size() * sizeof(std::uint32_t)));
+    }
+}
+
+void use_modules(gpu::Device& device, const std::filesystem::path& folder) {
+    if (!std::filesystem::is_directory(folder)) throw UserError("--spirv", fmt::format("there is no folder {}", folder.string()));
+    ShaderModules modules;
+    Problems problems;
+    for (const gpu::ShaderCode& own : lightbench_shaders_table()) {
+        const std::filesystem::path file = folder / fmt::format("{}.spv", own.name);
+        if (!std::filesystem::exists(file)) continue;
+        const auto bytes = read_file(file.string());
+        std::vector<std::uint32_t> words(bytes.size() / sizeof(std::uint32_t));
+        if (!words.empty()) std::memcpy(words.data(), bytes.data(), words.size() * sizeof(std::uint32_t));
+        for (const std::string& sentence : misfits(own, words)) problems.push_back({file.string(), 0, 0, sentence});
+        modules[std::string(own.name)] = std::move(words);
+    }
+    if (modules.empty())
+        problems.push_back({"--spirv", 0, 0, fmt::format("{} holds no entry point, such as raster/surface.frag.spv", folder.string())});
+    if (!problems.empty()) throw UserError(problems);
+    device.replace_shaders(std::move(modules));
 }
 
 } // namespace lightbench

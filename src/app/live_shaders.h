@@ -12,7 +12,21 @@ namespace lightbench {
 // Constants for these sliders: the named values, else their first ones. Throws UserError for names that no slider has and values out of range.
 gpu::Constants slider_constants(const std::vector<Slider>& sliders, const std::map<std::string, float>& values);
 
-// Compiles what the files reach. Throws UserError with every error of every file.
+// find_shader_sources(); throws gpu::EnvironmentError if there are none.
+std::filesystem::path shader_sources();
+
+// `root` with the files' functions in it. Throws UserError for files that cannot be read.
+ShaderTree tree_with(const std::filesystem::path& root, const std::vector<std::filesystem::path>& files);
+
+// Entry points that the files reach, and those that sliders of the folder itself do.
+std::set<std::string> edited_entry_points(const ShaderTree& tree, const std::filesystem::path& root, const std::vector<Slider>& sliders);
+
+// Compiles what the files and the sliders reach. Throws UserError with every error of every file.
 void use_shaders(gpu::Device& device, const std::vector<std::filesystem::path>& files, const std::map<std::string, float>& sliders);
+
+// Compiled entry points below a folder: "raster/surface.frag.spv". What is read takes its place in the device once it is known to fit there;
+// throws UserError with all that does not.
+void write_modules(const ShaderModules& modules, const std::filesystem::path& folder);
+void use_modules(gpu::Device& device, const std::filesystem::path& folder);
 
 } // namespace lightbench

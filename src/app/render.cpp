@@ -22,7 +22,7 @@ namespace {
 
 struct RenderArguments {
     Given given;
-    std::string output;
+    std::string output, spirv;
     BudgetArguments budget;
 };
 
@@ -45,6 +45,8 @@ SceneOptions check_arguments(const RenderArguments& arguments, const Given& give
         problems.push_back({"--terms", 0, 0, fmt::format("layers need an .exr; -o names {}", arguments.output)});
     if (options.request.terms && options.request.method != Method::raster)
         problems.push_back({"--terms", 0, 0, "layers are drawn by --method raster only; rays have none in this version"});
+    if (!arguments.spirv.empty() && !(options.shaders.empty() && options.sliders.empty()))
+        problems.push_back({"--spirv", 0, 0, "either compiled entry points or --shader and --slider, which are compiled"});
     if (several && !options.stats.empty() && options.stats != "-" && frame_path(options.stats, 0) == options.stats)
         problems.push_back({"--stats", 0, 0, fmt::format("\"{}\" must hold %04d, or be -, if there are several frames", options.stats)});
     if (!problems.empty()) throw UserError(problems);
@@ -69,6 +71,7 @@ void write_stats(const std::string& path, const std::string& json) {
 struct Run {
     const SceneOptions& options;
     const std::string& output;
+    const std::string& spirv;
     Messages messages;
     Stopwatch wall;
     double load_ms = 0;
@@ -81,6 +84,7 @@ gpu::Device& device_of(Run& run) {
     if (run.device) return *run.device;
     run.messages.step("opening the device");
     run.device.emplace(gpu::Device::open({run.options.device}));
+    if (!run.spirv.empty()) use_modules(*run.device, run.spirv);
     use_shaders(*run.device, run.options.shaders, run.options.sliders);
     run.messages.step("rendering on " + run.device->info().name);
     if (run.choice)
@@ -167,7 +171,7 @@ int render(const RenderArguments& arguments) {
     std::optional<BudgetChoice> choice;
     if (arguments.budget.wanted()) choice = apply_budget(arguments.budget, given);
     const SceneOptions options = check_arguments(arguments, given);
-    Run run{options, arguments.output, {options.quiet, options.progress}, {}, 0, false, choice};
+    Run run{options, arguments.output, arguments.spirv, {options.quiet, options.progress}, {}, 0, false, choice};
     if (choice) tell(run.messages, *choice);
     run.messages.step("reading " + options.scene.string());
     const Stopwatch load;
@@ -187,6 +191,8 @@ void add_render(CLI::App& app, int& exit_code) {
     sub->add_option("-o,--output", arguments->output, "the picture: .png or .exr; with --frames its name holds %04d")
         ->required()
         ->type_name("FILE");
+    sub->add_option("--spirv", arguments->spirv, "compiled entry points in place of the program's own: DIR/raster/surface.frag.spv ...")
+        ->type_name("DIR");
     sub->add_option("--budget", arguments->budget.budget, "the most accurate setting that takes no longer on the device, by --cost")
         ->type_name("TIME");
     sub->add_option("--max-error", arguments->budget.max_error, "the cheapest setting that errs no more, by --cost")->type_name("X");

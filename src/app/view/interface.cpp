@@ -122,6 +122,7 @@ void draw_problems(const Shown& shown) {
 // What the picture waits for, once it does so long that one wonders.
 std::string note(const Shown& shown) {
     if (shown.reading) return "reading the scene";
+    if (!shown.live.doing.empty()) return shown.live.doing;
     const News& news = shown.news;
     if (!news.busy || news.pending_for < 300) return "";
     return news.progress > 0 ? fmt::format("{} {:.0f} %", news.doing, 100 * news.progress) : news.doing;
@@ -172,6 +173,9 @@ void draw_panel(State& state, const Shown& shown, float width, float height, Han
     if (ImGui::CollapsingHeader("light and surfaces", open)) draw_settings(state, shown.opened, hand);
     if (ImGui::CollapsingHeader("how finely", open)) draw_detail(state, shown.opened, hand);
     if (ImGui::CollapsingHeader("side by side", open)) draw_compare(state, shown, hand);
+    if (shown.live.good && (!shown.live.good->sliders.empty() || shown.live.tree_edited) &&
+        ImGui::CollapsingHeader("shader constants", open))
+        draw_sliders(state, shown);
     if (shown.news.answer && ImGui::CollapsingHeader("rays of a pixel", open)) draw_inspector(shown);
     if (ImGui::CollapsingHeader("times", open)) draw_times(shown, state);
     if (ImGui::CollapsingHeader("plan")) draw_plan(shown, state);
@@ -212,6 +216,7 @@ void draw_interface(State& state, const Shown& shown, const PictureArea& area, f
     draw_wipe(state, area);
     draw_rays(shown, state, area);
     draw_note(shown, area);
+    draw_shader_errors(shown, area);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     if (has_panel(state, {window.x, window.y}, scale)) draw_panel(state, shown, kPanelWidth * scale, window.y, hand);
     draw_help(state, area);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/view/files.h"
+#include "app/view/live.h"
 #include "app/view/state.h"
 #include "app/view/worker.h"
 
@@ -29,6 +30,7 @@ struct Shown {
     const std::string& message; // about what was done last
     bool reading = false;
     std::string devices;
+    const LiveNews& live;
 };
 
 void style_interface(float scale);
@@ -46,6 +48,9 @@ void handle_mouse(State& state, const PictureArea& area, Hand& hand);
 void draw_inspector(const Shown& shown);
 void draw_rays(const Shown& shown, const State& state, const PictureArea& area);
 void draw_times(const Shown& shown, const State& state);
+void draw_sliders(State& state, const Shown& shown);
+// Over the picture.
+void draw_shader_errors(const Shown& shown, const PictureArea& area);
 void draw_plan(const Shown& shown, const State& state);
 
 } // namespace lightbench::view

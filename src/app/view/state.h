@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -40,7 +41,8 @@ struct State {
     Camera camera{};
     bool wireframe = false, normals = false, panel = true, help = false, vsync = true, quit = false;
     Drag drag = Drag::none;
-    bool copy = false, screenshot = false; // asked for, not done yet
+    std::map<std::string, float> sliders{}; // values of shader constants, also of those that are gone for a while
+    bool copy = false, screenshot = false;  // asked for, not done yet
     Request& side() { return sides[active]; }
     const Request& side() const { return sides[active]; }
 };

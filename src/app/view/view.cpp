@@ -27,10 +27,6 @@ view::ViewOptions check_arguments(const ViewArguments& arguments) {
         problems.push_back({"--solution", 0, 0, "the viewer keeps its solutions while it runs; `lightbench render` keeps them in files"});
     if (!options.scene.stats.empty())
         problems.push_back({"--stats", 0, 0, "times are in the panel; `lightbench render` with the command copied there writes them"});
-    if (!options.scene.shaders.empty())
-        problems.push_back({"--shader", 0, 0, "the viewer does not swap functions yet; `lightbench render` does"});
-    if (!options.scene.sliders.empty())
-        problems.push_back({"--slider", 0, 0, "the viewer has no sliders yet; `lightbench render` takes them"});
     options.log = arguments.log, options.vsync = !arguments.no_vsync;
     if (!arguments.screenshots.empty()) options.screenshots = arguments.screenshots;
     std::error_code ignored;

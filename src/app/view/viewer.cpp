@@ -62,6 +62,7 @@ Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
     file_.watch_files(opened_.file, opened_.scene.get());
     remember_file(opened_.file);
     recent_ = recent_files();
+    watch_shaders();
 }
 
 void Viewer::run() {
@@ -70,6 +71,7 @@ void Viewer::run() {
 }
 
 void Viewer::close() {
+    live_.reset();
     const auto log = presenter_->validation_log();
     presenter_.reset();
     gpu::Device device = worker_->finish();
@@ -95,6 +97,7 @@ void Viewer::step() {
     minimized_ = minimized;
     fly();
     take_news();
+    take_shaders();
     if (!minimized) draw();
     ask_for_pictures();
     do_pending();
@@ -190,6 +193,7 @@ void Viewer::ask_for_pictures() {
     if (size_.x == 0) return;
     Wish wish{{opened_.scene, opened_.version}, {request_of(state_, state_.split ? 0 : state_.active, size_)}, moving()};
     if (state_.split) wish.sides.push_back(request_of(state_, 1, size_));
+    wish.shaders = shaders();
     wish.wireframe = state_.wireframe, wish.normals = state_.normals;
     if (!wished_.sides.empty() && wish.same_picture(wished_)) return;
     wished_ = wish;
@@ -212,8 +216,7 @@ void Viewer::inspect(glm::uvec2 pixel) {
 
 std::vector<std::string> Viewer::render_words(unsigned side) const {
     std::vector<std::string> words = options_of(request_of(state_, side, size_));
-    if (options_.scene.allow_outside) words.push_back("--allow-outside");
-    if (!options_.scene.device.empty()) words.push_back("--device"), words.push_back(options_.scene.device);
+    for (const auto& more : {run_words(), shader_words()}) words.insert(words.end(), more.begin(), more.end());
     words.insert(words.begin(), {"lightbench", "render", opened_.file.string()});
     return words;
 }

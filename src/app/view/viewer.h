@@ -51,6 +51,12 @@ class Viewer {
     void take_input(const Input& input);
     void take_scene(ReadScene read);
     void take_news();
+    void watch_shaders();
+    void take_shaders();
+    void tell_swap();
+    Swap shaders() const;
+    std::vector<std::string> shader_words() const;
+    std::vector<std::string> run_words() const;
     void fly();
     void fit_size();
     void act(Action action);
@@ -76,6 +82,9 @@ class Viewer {
     std::optional<Worker> worker_;
     std::optional<Presenter> presenter_;
     SceneFile file_;
+    std::optional<LiveShaders> live_; // none: there are no sources of shaders
+    LiveNews live_news_{};
+    std::shared_ptr<const ShaderSet> told_swap_{};
     News news_{};
     Wish wished_{};
     std::array<std::shared_ptr<const Image8>, 2> on_screen_{};

@@ -41,7 +41,7 @@ void Viewer::draw() {
     const Request& side = state_.sides[0];
     const PictureArea area = picture_area(state_, {window.x, window.y}, window_.scale(), side.crop ? side.crop->size : size_);
     const std::string devices = "renders on " + worker_->device_info().name;
-    const Shown shown{opened_, news_, problems_, recent_, message_, file_.reading(), devices};
+    const Shown shown{opened_, news_, problems_, recent_, message_, file_.reading(), devices, live_news_};
     Hand hand;
     handle_mouse(state_, area, hand);
     draw_interface(state_, shown, area, window_.scale(), hand);

@@ -109,16 +109,35 @@ void Worker::run() {
     stage_.reset();
 }
 
+// Renderers keep the pipelines that they were made with; where nothing that was ever used changes they may.
+void Worker::use_shaders(const Swap& shaders) {
+    if (shaders == shaders_) return;
+    static const ShaderModules none;
+    const ShaderModules &before = shaders_.set ? shaders_.set->modules : none, &after = shaders.set ? shaders.set->modules : none;
+    const auto of = [](const ShaderModules& modules, const std::string& name) {
+        const auto at = modules.find(name);
+        return at == modules.end() ? std::span<const std::uint32_t>() : std::span<const std::uint32_t>(at->second);
+    };
+    const auto used = device_->used_shaders();
+    const bool same = shaders.constants == shaders_.constants &&
+                      std::ranges::all_of(used, [&](const std::string& n) { return std::ranges::equal(of(before, n), of(after, n)); });
+    if (!same) stage_->clear();
+    device_->replace_shaders(after, shaders.constants);
+    shaders_ = shaders;
+}
+
 void Worker::take(const Wish& wish) {
     publish([](News& news) { news.doing = "rendering", news.versus.reset(); });
     const std::string problem = problem_of([&] {
+        use_shaders(wish.shaders);
         for (unsigned side = 0; side < wish.sides.size(); ++side)
             if (!shoot(wish, side)) return;
         if (wish.sides.size() == 2 && !wish.moving) compare(wish);
     });
     if (!problem.empty()) stage_->clear(); // what failed half-way is not gone on with
+    const auto used = std::make_shared<const std::set<std::string>>(device_->used_shaders());
     publish([&](News& news) {
-        news.problem = problem, news.progress = 0;
+        news.problem = problem, news.progress = 0, news.shaders = wish.shaders.set, news.used = used;
         if (wish.sides.size() == 1) news.shots[1].reset(), news.versus.reset();
         if (next_) return;
         news.busy = false, ++news.settled;
@@ -131,7 +150,7 @@ bool Worker::shoot(const Wish& wish, unsigned side) {
     const auto first_use = [&] { publish([](News& news) { news.doing = "compiling: first use of this variant"; }); };
     const auto show = [&](std::shared_ptr<Shot> shot) {
         if (shot->pixels && (wish.wireframe || wish.normals)) mark(*shot, *wish.scene.scene, wish.wireframe, wish.normals);
-        publish([&](News& news) { news.shots[side] = std::move(shot), news.problem.clear(); });
+        publish([&](News& news) { news.shots[side] = std::move(shot), news.shaders = wish.shaders.set, news.problem.clear(); });
     };
     std::shared_ptr<Shot> shot;
     if (wish.moving) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/view/stage.h"
+#include "app/view/trial.h"
 #include "image/compare.h"
 #include "render/probe.h"
 
@@ -13,14 +14,22 @@
 
 namespace lightbench::view {
 
+// Shaders in place of the program's own, and the values of their sliders.
+struct Swap {
+    std::shared_ptr<const ShaderSet> set{}; // null: none
+    gpu::Constants constants{};
+    bool operator==(const Swap&) const = default;
+};
+
 struct Wish {
     SceneVersion scene{};
     std::vector<Request> sides{}; // one or two, with size and camera
     bool moving = false;          // the camera is: quick and coarse
     bool wireframe = false, normals = false;
+    Swap shaders{};
     bool same_picture(const Wish& other) const {
         return scene.version == other.scene.version && sides == other.sides && moving == other.moving && wireframe == other.wireframe &&
-               normals == other.normals;
+               normals == other.normals && shaders == other.shaders;
     }
 };
 
@@ -47,12 +56,14 @@ struct News {
     std::array<std::shared_ptr<const Shot>, 2> shots{};
     std::shared_ptr<const Versus> versus{};
     std::shared_ptr<const Answer> answer{};
-    std::string problem{};     // of the wish; empty: none
-    bool busy = false;         // something is not done yet
-    std::string doing{};       // for people: "rendering"
-    double progress = 0;       // share of the picture in work
-    double pending_for = 0;    // milliseconds since the wish in work was taken up
-    std::uint64_t settled = 0; // wishes that were done to the end
+    std::string problem{};                               // of the wish; empty: none
+    bool busy = false;                                   // something is not done yet
+    std::string doing{};                                 // for people: "rendering"
+    double progress = 0;                                 // share of the picture in work
+    double pending_for = 0;                              // milliseconds since the wish in work was taken up
+    std::uint64_t settled = 0;                           // wishes that were done to the end
+    std::shared_ptr<const ShaderSet> shaders{};          // that drew the picture; null: the program's own
+    std::shared_ptr<const std::set<std::string>> used{}; // entry points that the device has used
 };
 
 class Worker {
@@ -69,6 +80,7 @@ class Worker {
   private:
     void run();
     void take(const Wish& wish);
+    void use_shaders(const Swap& shaders);
     void answer(const Question& question);
     bool shoot(const Wish& wish, unsigned side);
     void compare(const Wish& wish);
@@ -84,6 +96,7 @@ class Worker {
     std::optional<Question> question_;
     News news_;
     std::chrono::steady_clock::time_point since_{};
+    Swap shaders_;               // in the device
     std::optional<Stage> stage_; // of the worker's thread, as what follows
     bool stop_ = false;
     std::thread thread_; // the last: it uses all of the above

@@ -1,0 +1,69 @@
+// Shaders that are edited while the viewer runs. In: the folder of their sources, files of the user's own, what the viewer shows at the moment.
+// Out: entry points that compiled and survived a first frame in a child process, or errors where they were made. On a thread of its own.
+#pragma once
+
+#include "app/view/trial.h"
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace lightbench::view {
+
+struct LiveNews {
+    std::uint64_t number = 0;                     // grows with each news
+    std::shared_ptr<const ShaderSet> good{};      // the last that compiled and was tried; null: the program's own
+    std::set<std::string> changed{};              // entry points of it that are new
+    std::chrono::steady_clock::time_point seen{}; // when the change of their sources was
+    ShaderErrors errors{};                        // of the last save
+    std::string doing{};                          // for people: "compiling shaders"
+    bool tree_edited = false;                     // files of the folder itself are not as they were at the start
+};
+
+// Constants of the set's sliders: values of that name as far as they lie in the slider's range, else its first one.
+gpu::Constants constants_of(const ShaderSet& set, const std::map<std::string, float>& values);
+
+class LiveShaders {
+  public:
+    // `wake` is called from its thread whenever there is news. Throws UserError for files that cannot be read and values that no slider can have.
+    LiveShaders(std::filesystem::path root, const std::vector<std::filesystem::path>& files, const std::map<std::string, float>& values,
+                std::function<void()> wake);
+    ~LiveShaders(); // waits for a trial at most as long as its limit
+
+    // What the viewer shows: a first picture of it is tried. Entry points that its device has used are compiled before the others.
+    void tell(Trial trial, std::shared_ptr<const std::set<std::string>> used);
+    LiveNews news() const;
+
+  private:
+    void run();
+    void wait_for_a_picture();
+    bool look();
+    bool step();
+    bool compile_used(const std::set<std::string>& names);
+    bool compile_others(const std::set<std::string>& names);
+    bool fail(ShaderErrors errors);
+    ShaderError blamed(std::string text) const;
+    void publish(const std::function<void(LiveNews&)>& change);
+
+    std::filesystem::path root_;
+    std::vector<std::filesystem::path> files_;
+    ShaderTree tree_;
+    std::function<void()> wake_;
+    mutable std::mutex mutex_;
+    std::condition_variable something_;
+    Trial trial_;
+    std::shared_ptr<const std::set<std::string>> used_;
+    LiveNews news_;
+    bool stop_ = false;
+    // Of its thread:
+    ShaderSet set_;                 // the next good one
+    ShaderModules others_;          // compiled, not tried yet: nothing that is shown uses them
+    std::set<std::string> pending_; // entry points whose sources changed since they were compiled
+    std::set<std::string> reached_; // by replacements, when last looked
+    std::string touched_;           // the file that changed last
+    std::thread thread_;            // the last: it uses all of the above
+};
+
+} // namespace lightbench::view

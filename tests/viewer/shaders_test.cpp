@@ -1,0 +1,168 @@
+// Shaders edited while the viewer runs, well and badly: it never ends, says what is wrong where, and shows the last good ones.
+#include "screen.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <numeric>
+
+namespace lightbench::viewer {
+namespace {
+
+namespace fs = std::filesystem;
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using Clock = std::chrono::steady_clock;
+
+const char* const kBall = R"([film]
+width = 160
+height = 120
+[camera]
+position = [0, 1, 5]
+target = [0, 0, 0]
+[[light]]
+type = "point"
+position = [3, 4, 5]
+intensity = 6
+[[material]]
+name = "red"
+diffuse = [0.7, 0.1, 0.1]
+specular = 0.5
+shininess = 20
+[[object]]
+shape = "sphere"
+material = "red"
+)";
+
+std::string bytes_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Edit {
+    const char* file;
+    const char *from, *to;
+    const char* place;   // file and line of the error
+    const char* message; // part of it
+};
+
+// Endless loops have something to show, so that no compiler may leave them out.
+const Edit kBroken[] = {
+    {"lib/phong.glsl", "return c <= 0.0 ? 0.0 : c;", "return c <= 0.0 ? 0.0 : c", "lib/phong.glsl:13", "syntax error"},
+    {"lib/phong.glsl", "float c = dot(n, l);", "float c = n;", "lib/phong.glsl:11", "cannot convert"},
+    {"lib/phong.glsl", "float c = dot(n, l);", "float c = dott(n, l);", "lib/phong.glsl:11", "'dott'"},
+    {"lib/phong.glsl", "float c = dot(n, l);",
+     "float c = dot(n, l); for (;;) for (int i = 0; i < 60000; ++i) for (int k = 0; k < 60000; ++k) c = sin(c + float(k)); ",
+     "lib/phong.glsl:0", "ran for more than 5 s"},
+    {"raster/surface.frag", "layout(location = 0) out vec4 color;", "layout(location = 1) out vec4 color;", "raster/surface.frag:0",
+     "is missing"},
+    {"lib/phong.glsl", nullptr, "", "shade.glsl:", "no matching overloaded function"},
+    {"lib/phong.glsl", nullptr, nullptr, "shade.glsl:", "lib/phong.glsl"},
+};
+
+class Edited : public Viewer {
+  protected:
+    void begin(const std::vector<std::string>& options) {
+        if (IsSkipped()) return;
+        fs::copy(fs::path(LIGHTBENCH_SOURCE) / "shaders", folder / "shaders", fs::copy_options::recursive);
+        ::setenv("LIGHTBENCH_SHADERS", (folder / "shaders").c_str(), 1);
+        write("scene.toml", kBall);
+        start(options, (folder / "scene.toml").string());
+        ::unsetenv("LIGHTBENCH_SHADERS");
+        expect("settled");
+    }
+    // As editors do: beside it, then in its place.
+    fs::path write(const fs::path& name, const std::string& text) const {
+        std::ofstream(folder / "saved", std::ios::binary) << text;
+        fs::rename(folder / "saved", folder / name);
+        return folder / name;
+    }
+    void spoil(const Edit& edit) const {
+        const fs::path file = fs::path("shaders") / edit.file;
+        if (edit.to == nullptr) {
+            fs::remove(folder / file);
+            return;
+        }
+        std::string text = edit.from == nullptr ? "" : bytes_of(fs::path(LIGHTBENCH_SOURCE) / file);
+        if (edit.from != nullptr) {
+            const std::size_t at = text.find(edit.from);
+            ASSERT_NE(at, std::string::npos) << edit.from;
+            text.replace(at, std::string(edit.from).size(), edit.to);
+        }
+        write(file, text);
+    }
+    void restore(const Edit& edit) const {
+        write(fs::path("shaders") / edit.file, bytes_of(fs::path(LIGHTBENCH_SOURCE) / "shaders" / edit.file));
+    }
+    std::string picture() {
+        key("F12");
+        return bytes_of(expect("screenshot "));
+    }
+};
+
+// A good edit whose picture is another one each time.
+void brighten(std::string& phong, int i) {
+    const std::string from = "return c <= 0.0 ? 0.0 : c;";
+    phong.replace(phong.find(from), from.size(), fmt::format("return c <= 0.0 ? 0.0 : {}.0 / 32.0 * c;", 31 - i % 24));
+}
+
+TEST_F(Edited, GoodAndBrokenInTurnNeverEndIt) {
+    begin({});
+    if (IsSkipped()) return;
+    const int pairs = std::getenv("LIGHTBENCH_LONG_TESTS") ? 50 : 10;
+    std::vector<double> seconds;
+    std::string before = picture();
+    for (int i = 0; i < pairs; ++i) {
+        const bool endless = i % 7 == 3;
+        const Edit& edit = kBroken[i % 7];
+        forget();
+        spoil(edit);
+        const std::string error = expect("shader-error ", endless ? 15 : 10);
+        EXPECT_THAT(error, AllOf(HasSubstr((folder / "shaders" / edit.place).string()), HasSubstr(edit.message)));
+        EXPECT_EQ(picture() == before, true) << "the last good one stays";
+        restore(edit);
+        std::string phong = bytes_of(LIGHTBENCH_SOURCE "/shaders/lib/phong.glsl");
+        brighten(phong, i);
+        forget();
+        const auto saved = Clock::now();
+        write("shaders/lib/phong.glsl", phong);
+        expect("swapped ", 15);
+        seconds.push_back(std::chrono::duration<double>(Clock::now() - saved).count());
+        expect("settled");
+        const std::string after = picture();
+        EXPECT_NE(after, before) << "edit " << i;
+        before = after;
+        if (HasFailure()) break;
+    }
+    std::ranges::sort(seconds);
+    fmt::print("from save to swap: median {:.2f} s, slowest {:.2f} s of {}\n", seconds[seconds.size() / 2], seconds.back(), seconds.size());
+    EXPECT_EQ(quit(), 0);
+}
+
+TEST_F(Edited, AFunctionOfOnesOwnHasSlidersThatTheCommandNames) {
+    if (IsSkipped()) return;
+    const fs::path mine = write("mine.glsl", "const float gain = 0.5; // @slider(0, 2, 1)\n"
+                                             "float phong_specular(vec3 n, vec3 l, vec3 v, float shininess) {\n"
+                                             "    return gain * original_phong_specular(n, l, v, shininess);\n}\n");
+    begin({"--shader", mine.string(), "--slider", "gain=0.25"});
+    expect("swapped raster/surface.frag", 15);
+    expect("settled");
+    const std::string shown = picture();
+    key("ctrl+c");
+    const std::string line = expect("copied ");
+    EXPECT_THAT(line, AllOf(HasSubstr("--shader " + mine.string()), HasSubstr("--slider gain=0.25")));
+    const fs::path rendered = folder / "rendered.png";
+    const std::string words = line.substr(line.find("render "), line.rfind(" -o ") - line.find("render "));
+    const std::string said = output_of(std::string(LIGHTBENCH_PROGRAM) + " " + words + " -o " + rendered.string() + " 2>&1");
+    EXPECT_EQ(bytes_of(rendered), shown) << said;
+    forget();
+    write("mine.glsl", "float phong_specular(vec3 n, vec3 l, vec3 v, float shininess) {\n    return dot(n, wrong);\n}\n");
+    EXPECT_THAT(expect("shader-error "), AllOf(HasSubstr(mine.string() + ":2"), HasSubstr("wrong")));
+    EXPECT_EQ(quit(), 0);
+}
+
+} // namespace
+} // namespace lightbench::viewer
