@@ -216,8 +216,9 @@ void parse_frames(Parser& p, SceneOptions& o) {
 }
 
 void parse_shaders(Parser& p, SceneOptions& o) {
+    const std::string files = p.text("--shader"); // the views are of it
     if (p.has("--shader"))
-        for (const std::string_view file : split(p.text("--shader"), ',')) o.shaders.emplace_back(file);
+        for (const std::string_view file : split(files, ',')) o.shaders.emplace_back(file);
     if (!p.has("--slider")) return;
     const std::string text = p.text("--slider");
     for (const std::string_view pair : split(text, ',')) {

@@ -56,7 +56,7 @@ const Edit kBroken[] = {
     {"lib/phong.glsl", "float c = dot(n, l);", "float c = dott(n, l);", "lib/phong.glsl:11", "'dott'"},
     {"lib/phong.glsl", "float c = dot(n, l);",
      "float c = dot(n, l); for (;;) for (int i = 0; i < 60000; ++i) for (int k = 0; k < 60000; ++k) c = sin(c + float(k)); ",
-     "lib/phong.glsl:0", "ran for more than 5 s"},
+     "lib/phong.glsl:0", "a first small picture"},
     {"raster/surface.frag", "layout(location = 0) out vec4 color;", "layout(location = 1) out vec4 color;", "raster/surface.frag:0",
      "is missing"},
     {"lib/phong.glsl", nullptr, "", "shade.glsl:", "no matching overloaded function"},

@@ -51,7 +51,7 @@ void Viewer::take_shaders() {
             return all;
         };
         const std::string before = text(live_news_.errors), after = text(now.errors);
-        if (before != after || now.seen != live_news_.seen)
+        if (before != after)
             for (const ShaderError& error : now.errors)
                 log_.say("shader-error {}:{}: {} | {}", error.file, error.line, error.message, error.text);
         if (after.empty() && !before.empty()) log_.say("shaders-mended");
