@@ -62,8 +62,9 @@ std::string try_shaders(const Trial& trial, Method method, const ShaderModules& 
     for (std::string word : {std::string("--quiet"), std::string("--spirv"), (folder.path / "spirv").string(), std::string("-o"),
                              (folder.path / "trial.png").string()})
         words.push_back(std::move(word));
-    const ChildResult child = run_child(words, "", kTrialLimit);
-    if (child.timed_out) return fmt::format("a first small picture, drawn aside, ran for more than {} s", kTrialLimit.count());
+    const auto limit = method == trial.request.method ? kTrialLimit : kOtherTrialLimit;
+    const ChildResult child = run_child(words, "", limit);
+    if (child.timed_out) return fmt::format("a first small picture, drawn aside, ran for more than {} s", limit.count());
     if (child.code > 128) return fmt::format("a first small picture, drawn aside, ended the program with signal {}", child.code - 128);
     if (child.code == 2 && method != trial.request.method) return ""; // the scene or its options are not of that method
     if (child.code != 0) return fmt::format("a first small picture, drawn aside, failed: {}", last_line(child.err));

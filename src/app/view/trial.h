@@ -21,7 +21,8 @@ struct Trial {
     std::map<std::string, float> sliders{};
 };
 
-constexpr std::chrono::seconds kTrialLimit(5);
+// The second is for methods that are not shown, whose structures and pipelines are all made anew.
+constexpr std::chrono::seconds kTrialLimit(5), kOtherTrialLimit(15);
 
 // Why these cannot be used; empty: they drew a picture. `method` takes the place of the trial's own.
 std::string try_shaders(const Trial& trial, Method method, const ShaderModules& modules, const gpu::Constants& constants);
