@@ -58,7 +58,7 @@ const Edit kBroken[] = {
      "float c = dot(n, l); for (;;) for (int i = 0; i < 60000; ++i) for (int k = 0; k < 60000; ++k) c = sin(c + float(k)); ",
      "lib/phong.glsl:0", "a first small picture"},
     {"raster/surface.frag", "layout(location = 0) out vec4 color;", "layout(location = 1) out vec4 color;", "raster/surface.frag:0",
-     "is missing"},
+     "at location 1: there is none of its type"},
     {"lib/phong.glsl", nullptr, "", "shade.glsl:", "no matching overloaded function"},
     {"lib/phong.glsl", nullptr, nullptr, "shade.glsl:", "lib/phong.glsl"},
 };

@@ -122,7 +122,8 @@ TEST_F(Driven, SidesAreWipedAndComparedAndAPixelExplained) {
     key("c");
     key("1"); // side B flat
     expect("settled");
-    tool("mousemove --window " + window + " 410 60 mousedown 1 sleep 0.3 mousemove_relative -- -30 0 sleep 0.3 mouseup 1"); // the line of the wipe
+    tool("mousemove --window " + window +
+         " 410 60 mousedown 1 sleep 0.3 mousemove_relative -- -30 0 sleep 0.3 mouseup 1"); // the line of the wipe
     key("z"), key("z"), key("z");
     key("c");
     tool("mousemove --window " + window + " 405 60 click 1");
