@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstring>
 
@@ -37,7 +38,7 @@ class SolutionFile : public ::testing::Test {
         write_file(path_, bytes);
         return refusal();
     }
-    std::string path_ = (std::filesystem::path(::testing::TempDir()) / "solution_test.lbrad").string();
+    std::string path_ = (std::filesystem::path(::testing::TempDir()) / fmt::format("solution_test_{}.lbrad", ::getpid())).string();
     RadiositySolution solution_;
 };
 
