@@ -84,13 +84,6 @@ phase_width128() {
     MESA_SHADER_CACHE_DIR=$top/build/mesa-width128 LP_NATIVE_VECTOR_WIDTH=128 suite_cmd "$build" -R "$gpu_tests"
 }
 
-# What may differ between widths and must not differ within one: for .ci/run, which has no time for all.
-phase_width128_short() {
-    prepare_tests
-    MESA_SHADER_CACHE_DIR=$top/build/mesa-width128 LP_NATIVE_VECTOR_WIDTH=128 suite_cmd "$build" \
-        -R '^(images\.(RayStructures|Hemicube|Golden|Metamorphic)|cli\.Determinism)'
-}
-
 # run_phases [PHASE...]
 run_phases() {
     local phase started status failed_phases=0 log=$top/build/full-test.log passed=0 failed=0 line

@@ -1,4 +1,5 @@
 // Shaders that are edited: what depends on what, errors where they were made, and what does not fit refused before it can do harm.
+#include "image/child_process.h"
 #include "render/live/fits.h"
 #include "render/live/shader_tree.h"
 #include "render/shaders.h"
@@ -26,12 +27,15 @@ using ::testing::Not;
 class LiveShaders : public testing::Test {
   protected:
     void SetUp() override {
+        if (!run_child({"glslangValidator", "--version"}, "", std::chrono::seconds(5)).started()) GTEST_SKIP() << "no glslangValidator";
         std::string name = (fs::temp_directory_path() / "lightbench-live-XXXXXX").string();
         ASSERT_NE(::mkdtemp(name.data()), nullptr);
         folder = name;
         fs::copy(fs::path(LIGHTBENCH_SOURCE) / "shaders", folder / "shaders", fs::copy_options::recursive);
     }
-    void TearDown() override { fs::remove_all(folder); }
+    void TearDown() override {
+        if (!folder.empty()) fs::remove_all(folder);
+    }
 
     fs::path write(const std::string& name, const std::string& text) const {
         std::ofstream(folder / name, std::ios::binary) << text;
