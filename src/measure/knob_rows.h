@@ -17,6 +17,7 @@ std::pair<std::string_view, std::string_view> split_value(std::string_view value
 std::optional<double> number_of(std::string_view text); // above 0, finite, all of the text
 void set_if_absent(OptionTexts& options, std::string_view flag, std::string_view text);
 void set(OptionTexts& options, std::string_view flag, std::string_view text);
+bool apply_number(std::string_view value, OptionTexts& options, std::string_view flag); // false: not a number above 0
 void unset(OptionTexts& options, std::initializer_list<std::string_view> flags);
 
 } // namespace lightbench

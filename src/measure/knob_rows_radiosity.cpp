@@ -21,11 +21,6 @@ void until_a_hundredth(OptionTexts& options, const Scene&) {
     if (!options.contains("--shots")) set_if_absent(options, "--until", "0.01");
 }
 
-bool apply_number(std::string_view value, OptionTexts& options, std::string_view flag) {
-    set(options, flag, value);
-    return number_of(value).has_value();
-}
-
 Knob hemicube() {
     return {
         .name = "hemicube",

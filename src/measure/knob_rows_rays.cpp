@@ -15,11 +15,6 @@ void refer_tree(OptionTexts& options, std::span<const std::string>, bool again) 
 
 constexpr std::string_view kTree = "64 levels and a cut-off of 0.0005, the same samples; its uncertainty: 48 levels and a cut-off of 0.001";
 
-bool apply_number(std::string_view value, OptionTexts& options, std::string_view flag) {
-    set(options, flag, value);
-    return number_of(value).has_value();
-}
-
 Knob depth() {
     return {.name = "depth",
             .meaning = "levels of the ray tree, the eye ray the first",

@@ -119,6 +119,11 @@ std::optional<double> number_of(std::string_view text) {
     return value;
 }
 
+bool apply_number(std::string_view value, OptionTexts& options, std::string_view flag) {
+    set(options, flag, value);
+    return number_of(value).has_value();
+}
+
 void set_if_absent(OptionTexts& options, std::string_view flag, std::string_view text) {
     options.try_emplace(std::string(flag), text);
 }

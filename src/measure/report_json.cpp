@@ -15,9 +15,9 @@ ordered_json json_of(double x) {
 }
 
 ordered_json json_of(const Errors& errors) {
-    ordered_json json = ordered_json::object();
-    for (const auto& [metric, error] : errors) json[metric] = json_of(error);
-    return json;
+    ordered_json object = ordered_json::object();
+    for (const auto& [metric, error] : errors) object[metric] = json_of(error);
+    return object;
 }
 
 ordered_json json_of(const CostPoint& p) {
@@ -51,22 +51,22 @@ ordered_json json_of(const CostCurve& c) {
             {"notes", c.notes}};
 }
 
-double number_of(const ordered_json& json) {
-    return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+double number_or_nan(const ordered_json& j) {
+    return j.is_null() ? std::numeric_limits<double>::quiet_NaN() : j.get<double>();
 }
 
-Errors errors_of(const ordered_json& json) {
+Errors errors_of(const ordered_json& j) {
     Errors errors;
-    for (const auto& [metric, error] : json.items()) errors[metric] = number_of(error);
+    for (const auto& [metric, error] : j.items()) errors[metric] = number_or_nan(error);
     return errors;
 }
 
 CostPoint point_of(const ordered_json& j) {
     return {.value = j.at("value"),
             .errors = errors_of(j.at("errors")),
-            .device_ms = number_of(j.at("device_ms")),
-            .q1_ms = number_of(j.at("q1_ms")),
-            .q3_ms = number_of(j.at("q3_ms")),
+            .device_ms = number_or_nan(j.at("device_ms")),
+            .q1_ms = number_or_nan(j.at("q1_ms")),
+            .q3_ms = number_or_nan(j.at("q3_ms")),
             .runs = j.at("runs"),
             .settled = j.at("settled"),
             .pareto = j.at("pareto").get<std::set<std::string>>(),
@@ -77,7 +77,7 @@ CostPoint point_of(const ordered_json& j) {
 }
 
 Slope slope_of(const ordered_json& j) {
-    Slope slope{j.at("of"), j.at("metric"), j.at("against"), number_of(j.at("measured")), std::nullopt, j.at("why")};
+    Slope slope{j.at("of"), j.at("metric"), j.at("against"), number_or_nan(j.at("measured")), std::nullopt, j.at("why")};
     if (!j.at("theory").is_null()) slope.theory = j.at("theory").get<double>();
     return slope;
 }

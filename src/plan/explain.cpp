@@ -21,7 +21,7 @@ std::string grouped(std::size_t n) {
     return spaced;
 }
 
-std::string counted(std::size_t n, std::string_view noun) {
+std::string grouped_count(std::size_t n, std::string_view noun) {
     return fmt::format("{} {}{}", grouped(n), noun, n == 1 ? "" : "s");
 }
 
@@ -47,8 +47,8 @@ std::string image_size(const Plan& plan) {
 }
 
 std::string work(const Plan& plan) {
-    std::string text = plan.triangles ? counted(*plan.triangles, "triangle") + ", " : "";
-    return text + counted(plan.lights, "light") + ", " + image_size(plan);
+    std::string text = plan.triangles ? grouped_count(*plan.triangles, "triangle") + ", " : "";
+    return text + grouped_count(plan.lights, "light") + ", " + image_size(plan);
 }
 
 std::string passes(const Plan& plan) {

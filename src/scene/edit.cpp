@@ -16,6 +16,11 @@ void strip(Material& m, std::uint32_t effects) {
 
 } // namespace
 
+std::uint32_t add_material(Scene& scene, Material material) {
+    scene.materials.push_back(std::move(material));
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
 std::size_t keep_without(Scene& scene, std::uint32_t effects) {
     std::size_t changed = 0;
     for (Material& material : scene.materials) {

@@ -1,5 +1,5 @@
-// A scene as somebody wants to see it, not as its file has it: without some effects.
-// In: a scene and what to leave out. Out: the same scene changed, and how much of it was. Each may be done again without further change.
+// Changes of a scene: what loaders and makers add, and a scene as somebody wants to see it, not as its file has it: without some effects.
+// In: a scene, what to add or leave out. Out: the same scene changed, and where or how much. Leaving out twice changes no more than once.
 #pragma once
 
 #include "scene/scene.h"
@@ -8,6 +8,9 @@
 #include <string_view>
 
 namespace lightbench {
+
+// Index of the new material.
+std::uint32_t add_material(Scene& scene, Material material);
 
 // What can be left out; bit i of SceneEdits::without is kStrippable[i].
 constexpr std::array<std::string_view, 5> kStrippable = {"texture", "bump", "environment", "transparency", "reflection"};

@@ -41,11 +41,6 @@ std::optional<std::uint32_t> add_picture_file(ImportJob& job, std::string_view n
     return {};
 }
 
-std::uint32_t add_material(Scene& scene, const Material& material) {
-    scene.materials.push_back(material);
-    return static_cast<std::uint32_t>(scene.materials.size() - 1);
-}
-
 std::uint32_t add_transform(Scene& scene, const glm::dmat4& transform) {
     if (transform == glm::dmat4(1)) return 0;
     scene.transforms.push_back(transform);

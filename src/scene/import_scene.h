@@ -1,6 +1,7 @@
 // What the readers of all formats share: the scene as it grows, and where it comes from.
 #pragma once
 
+#include "scene/edit.h"
 #include "scene/import_assimp.h"
 #include "scene/import_files.h"
 #include "scene/import_mesh.h"
@@ -38,7 +39,6 @@ std::optional<AssimpScene> decode(ImportJob& job, std::span<const std::uint8_t> 
 // Index of the picture in the scene; nothing, and a remark, if it does not exist; nothing, and a problem, if it lies outside.
 std::optional<std::uint32_t> add_picture_file(ImportJob& job, std::string_view name);
 std::uint32_t add_picture(Scene& scene, Picture picture);
-std::uint32_t add_material(Scene& scene, const Material& material);
 std::uint32_t add_transform(Scene& scene, const glm::dmat4& transform);
 
 // The faces of all `parts` as one mesh in world space (two, if some have no normals).

@@ -6,11 +6,6 @@
 
 namespace lightbench {
 
-std::uint32_t add_material(Scene& scene, Material material) {
-    scene.materials.push_back(std::move(material));
-    return static_cast<std::uint32_t>(scene.materials.size() - 1);
-}
-
 std::uint32_t add_diffuse(Scene& scene, std::string name, glm::vec3 diffuse) {
     Material m;
     m.name = std::move(name);

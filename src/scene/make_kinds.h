@@ -1,6 +1,7 @@
 // The builders behind the table of make.cpp, and the few verbs in which they speak. Inside the scene room only.
 #pragma once
 
+#include "scene/edit.h"
 #include "scene/make.h"
 #include "scene/transform.h"
 
@@ -30,7 +31,6 @@ constexpr double radians_of(double degrees) {
 }
 
 // Each returns the index of what it added, or the thing itself to be adjusted.
-std::uint32_t add_material(Scene& scene, Material material);
 std::uint32_t add_diffuse(Scene& scene, std::string name, glm::vec3 diffuse);
 std::uint32_t add_glossy(Scene& scene, std::string name, glm::vec3 diffuse, float specular, float shininess);
 Object& add_object(Scene& scene, Shape shape, std::uint32_t material);

@@ -10,7 +10,6 @@ constexpr Rule kOpacity{0, 1, false, false, "it must lie between 0 (invisible) a
 constexpr Rule kF0{0, 1, false, true, "it must be at least 0 and less than 1 (the index of refraction is infinite there)"};
 constexpr Rule kExponent{0, kLargestFloat, false, false, "it must be 0 (a broad highlight) or greater, and at most 3.4e38"};
 constexpr Rule kSlope{0, kLargestFloat, true, false, "it is the rms slope of the facets and must be greater than 0"};
-constexpr Rule kAnyFloat{-kLargestFloat, kLargestFloat, false, false, "it must lie between -3.4e38 and 3.4e38"};
 
 // A name is needed, for objects refer to it; where it is wrong the rest is read all the same, for its problems.
 std::string material_name(TomlLoad& load, Section& s) {

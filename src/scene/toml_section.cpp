@@ -81,6 +81,11 @@ void fault(const Section& section, const toml::node& where, std::string_view tex
     fault(section, where.source(), text);
 }
 
+const toml::source_region& place_of(const Section& section, std::string_view key) {
+    const toml::node* node = section.table->get(key);
+    return node ? node->source() : section.table->source();
+}
+
 const toml::node* find(Section& section, std::string_view key) {
     section.known.push_back(key);
     return section.table->get(key);

@@ -28,6 +28,7 @@ inline constexpr Rule kCoordinate{-limits::kMaxCoordinate, limits::kMaxCoordinat
 inline constexpr Rule kLength{0, limits::kMaxCoordinate, true, false, "it must be greater than 0 and at most 1e15 (limit kMaxCoordinate)"};
 inline constexpr Rule kFraction{0, 1, false, false, "it must lie between 0 and 1"};
 inline constexpr Rule kNotNegative{0, kLargestFloat, false, false, "it must be 0 or greater, and at most 3.4e38"};
+inline constexpr Rule kAnyFloat{-kLargestFloat, kLargestFloat, false, false, "it must lie between -3.4e38 and 3.4e38"};
 inline constexpr Rule kPositive{0, kLargestFloat, true, false, "it must be greater than 0, and at most 3.4e38"};
 
 struct Section {
@@ -40,6 +41,9 @@ struct Section {
 
 void fault(const Section& section, const toml::source_region& where, std::string_view text);
 void fault(const Section& section, const toml::node& where, std::string_view text);
+
+// Where a key is told about that may be absent: at its value, or else at the head of its section.
+const toml::source_region& place_of(const Section& section, std::string_view key);
 
 // The value of a key, or null; either way the key is known from now on.
 const toml::node* find(Section& section, std::string_view key);

@@ -9,12 +9,6 @@ namespace lightbench {
 namespace {
 
 constexpr Rule kRadiusOrZero{0, limits::kMaxCoordinate, false, false, "it must lie between 0 and 1e15 (limit kMaxCoordinate)"};
-constexpr Rule kAnyFloat{-kLargestFloat, kLargestFloat, false, false, "it must lie between -3.4e38 and 3.4e38"};
-
-const toml::node& place_of(const Section& s, std::string_view key) {
-    const toml::node* node = s.table->get(key);
-    return node ? *node : *s.table;
-}
 
 bool read_sphere(Section& s, Shape& out) {
     Sphere sphere;
@@ -80,14 +74,14 @@ bool read_polygon(Section& s, Shape& out) {
 }
 
 bool read_box(Section& s, Shape& out) {
-    constexpr std::array<std::string_view, 3> kAxes{"x", "y", "z"};
+    constexpr std::string_view kAxis = "xyz";
     Box box;
     const bool min = read_vector(s, "min", box.min, kCoordinate), max = read_vector(s, "max", box.max, kCoordinate);
     const bool known = (min || !s.table->get("min")) && (max || !s.table->get("max"));
     for (int i = 0; known && i < 3; ++i)
         if (!(box.min[i] < box.max[i]))
             fault(s, place_of(s, max ? "max" : "min"),
-                  fmt::format("max's {} is {}; it must be greater than min's, {}", kAxes[static_cast<std::size_t>(i)], box.max[i],
+                  fmt::format("max's {} is {}; it must be greater than min's, {}", kAxis[static_cast<std::size_t>(i)], box.max[i],
                               box.min[i]));
     out = box;
     return true;

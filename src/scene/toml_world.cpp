@@ -18,12 +18,6 @@ double radians(double degrees) {
     return degrees * (glm::pi<double>() / 180);
 }
 
-// Where a key is told about that may be absent: at its value, or else at the head of its section.
-const toml::source_region& place_of(const Section& s, std::string_view key) {
-    const toml::node* node = s.table->get(key);
-    return node ? node->source() : s.table->source();
-}
-
 void check_view(const Section& s, const Camera& camera) {
     if (has_no_direction(camera)) {
         fault(s, place_of(s, "target"), "target is the same point as position; the camera must look somewhere");

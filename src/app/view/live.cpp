@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks(200);
+constexpr std::chrono::milliseconds kWatchEvery(200);
 constexpr std::chrono::seconds kCompileLimit(10), kPatience(3);
 constexpr std::size_t kAtOnce = 4; // entry points that nothing shown uses: a save in between is seen soon
 
@@ -96,7 +96,7 @@ void LiveShaders::run() {
             failed = !fail({{"", 0, error.what(), ""}}) || failed;
         }
         std::unique_lock lock(mutex_);
-        if (failed || pending_.empty()) something_.wait_for(lock, kBetweenLooks, [&] { return stop_; });
+        if (failed || pending_.empty()) something_.wait_for(lock, kWatchEvery, [&] { return stop_; });
         if (stop_) return;
     }
 }

@@ -6,8 +6,6 @@
 namespace lightbench::view {
 namespace {
 
-constexpr vk::ImageSubresourceRange kWhole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
-
 void make_image(PictureOnScreen& p, const Screen& screen) {
     using Usage = vk::ImageUsageFlagBits;
     p.image = {screen.device, vk::ImageCreateInfo{.imageType = vk::ImageType::e2D,
@@ -34,19 +32,6 @@ void make_staging(PictureOnScreen& p, const Screen& screen) {
     }
 }
 
-void barrier(const vk::raii::CommandBuffer& commands, vk::Image image, vk::ImageLayout from, vk::ImageLayout to, vk::AccessFlags before,
-             vk::AccessFlags after) {
-    const vk::ImageMemoryBarrier change{.srcAccessMask = before,
-                                        .dstAccessMask = after,
-                                        .oldLayout = from,
-                                        .newLayout = to,
-                                        .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                        .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                        .image = image,
-                                        .subresourceRange = kWhole};
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eTransfer, {}, {}, {}, change);
-}
-
 // Cuts [a, b] to [0, side] and what it is copied from likewise.
 void clip(float& a, float& b, float& from_a, float& from_b, float side) {
     const float scale = (from_b - from_a) / (b - a);
@@ -70,17 +55,31 @@ void set_picture(PictureOnScreen& p, const Screen& screen, const Image8& picture
     make_staging(p, screen);
 }
 
+void record_change(const vk::raii::CommandBuffer& commands, vk::Image image, const ImageUse& before, const ImageUse& after) {
+    const vk::ImageMemoryBarrier barrier{.srcAccessMask = before.access,
+                                         .dstAccessMask = after.access,
+                                         .oldLayout = before.layout,
+                                         .newLayout = after.layout,
+                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
+                                         .image = image,
+                                         .subresourceRange = kWholeImage};
+    commands.pipelineBarrier(before.stage, after.stage, {}, {}, {}, barrier);
+}
+
 void record_upload(PictureOnScreen& p, const vk::raii::CommandBuffer& commands, unsigned frame) {
     if (p.pending == nullptr) return;
     std::memcpy(p.staging[frame].mapped, p.pending->rgba.data(), p.pending->rgba.size());
     p.pending = nullptr;
     using Layout = vk::ImageLayout;
     using Access = vk::AccessFlagBits;
-    barrier(commands, *p.image, Layout::eUndefined, Layout::eTransferDstOptimal, Access::eTransferRead, Access::eTransferWrite);
+    using At = vk::PipelineStageFlagBits;
+    const ImageUse written{Layout::eTransferDstOptimal, At::eTransfer, Access::eTransferWrite};
+    record_change(commands, *p.image, {Layout::eUndefined, At::eTransfer, Access::eTransferRead}, written);
     const vk::BufferImageCopy all{.imageSubresource = {vk::ImageAspectFlagBits::eColor, 0, 0, 1},
                                   .imageExtent = {p.size.width, p.size.height, 1}};
     commands.copyBufferToImage(*p.staging[frame].buffer, *p.image, Layout::eTransferDstOptimal, all);
-    barrier(commands, *p.image, Layout::eTransferDstOptimal, Layout::eTransferSrcOptimal, Access::eTransferWrite, Access::eTransferRead);
+    record_change(commands, *p.image, written, {Layout::eTransferSrcOptimal, At::eTransfer, Access::eTransferRead});
 }
 
 void record_blit(const PictureOnScreen& p, const vk::raii::CommandBuffer& commands, vk::Image target, vk::Extent2D extent, Area from,

@@ -9,6 +9,15 @@
 namespace lightbench::view {
 
 constexpr unsigned kFramesInFlight = 2;
+constexpr vk::ImageSubresourceRange kWholeImage{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
+
+// How an image is used before or after a barrier.
+struct ImageUse {
+    vk::ImageLayout layout{};
+    vk::PipelineStageFlags stage{};
+    vk::AccessFlags access{};
+};
+void record_change(const vk::raii::CommandBuffer& commands, vk::Image image, const ImageUse& before, const ImageUse& after);
 
 struct PictureOnScreen {
     vk::Extent2D size{};

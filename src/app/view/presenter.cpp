@@ -31,7 +31,6 @@ struct PresenterParts {
 
 namespace {
 
-constexpr vk::ImageSubresourceRange kWhole{vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1};
 constexpr std::uint64_t kPatience = 100'000'000; // nanoseconds that a frame waits for the screen; hidden windows may get no image at all
 constexpr std::array<float, 4> kBackground = {0.09f, 0.09f, 0.1f, 1};
 
@@ -101,35 +100,22 @@ std::optional<std::uint32_t> acquire(PresenterParts& p) {
     }
 }
 
-void change(const vk::raii::CommandBuffer& commands, vk::Image image, vk::ImageLayout from, vk::ImageLayout to,
-            vk::PipelineStageFlags before, vk::PipelineStageFlags after, vk::AccessFlags written, vk::AccessFlags used) {
-    const vk::ImageMemoryBarrier barrier{.srcAccessMask = written,
-                                         .dstAccessMask = used,
-                                         .oldLayout = from,
-                                         .newLayout = to,
-                                         .srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                         .dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED,
-                                         .image = image,
-                                         .subresourceRange = kWhole};
-    commands.pipelineBarrier(before, after, {}, {}, {}, barrier);
-}
-
 void record_pictures(PresenterParts& p, const vk::raii::CommandBuffer& commands, vk::Image target, std::span<const Placement> placements) {
-    using Stage = vk::PipelineStageFlagBits;
+    using At = vk::PipelineStageFlagBits;
     using Access = vk::AccessFlagBits;
     using Layout = vk::ImageLayout;
     for (std::size_t i = 0; i < p.pictures.size(); ++i) record_upload(p.pictures[i], commands, p.frame), p.keep[i].reset();
-    change(commands, target, Layout::eUndefined, Layout::eTransferDstOptimal, Stage::eTransfer, Stage::eTransfer, {},
-           Access::eTransferWrite);
-    commands.clearColorImage(target, Layout::eTransferDstOptimal, vk::ClearColorValue{kBackground}, kWhole);
-    change(commands, target, Layout::eTransferDstOptimal, Layout::eTransferDstOptimal, Stage::eTransfer, Stage::eTransfer,
-           Access::eTransferWrite, Access::eTransferWrite);
+    const ImageUse copied{Layout::eTransferDstOptimal, At::eTransfer, Access::eTransferWrite};
+    record_change(commands, target, {Layout::eUndefined, At::eTransfer, {}}, copied);
+    commands.clearColorImage(target, Layout::eTransferDstOptimal, vk::ClearColorValue{kBackground}, kWholeImage);
+    record_change(commands, target, copied, copied); // the pictures come after the background
     for (const Placement& at : placements)
         if (const PictureOnScreen& picture = p.pictures.at(at.picture); *picture.image)
             record_blit(picture, commands, target, p.chain.extent, {at.from_x0, at.from_y0, at.from_x1, at.from_y1},
                         {at.to_x0, at.to_y0, at.to_x1, at.to_y1});
-    change(commands, target, Layout::eTransferDstOptimal, Layout::eColorAttachmentOptimal, Stage::eTransfer, Stage::eColorAttachmentOutput,
-           Access::eTransferWrite, Access::eColorAttachmentRead | Access::eColorAttachmentWrite);
+    record_change(
+        commands, target, copied,
+        {Layout::eColorAttachmentOptimal, At::eColorAttachmentOutput, Access::eColorAttachmentRead | Access::eColorAttachmentWrite});
 }
 
 void record(PresenterParts& p, std::uint32_t image, std::span<const Placement> placements) {
