@@ -56,10 +56,10 @@ TEST_F(Cli, NumericsPrintsEveryFunctionAndHolds) {
 TEST_F(Cli, NumericsInJson) {
     const Ran ran = run({"numerics", "--quick", "--only", "lib/phong", "--json"});
     EXPECT_EQ(ran.code, 0) << ran.err;
-    const auto json = nlohmann::json::parse(ran.out);
-    EXPECT_TRUE(json.at("holds").get<bool>());
-    ASSERT_EQ(json.at("rows").size(), 3u);
-    for (const auto& row : json.at("rows")) {
+    const auto report = nlohmann::json::parse(ran.out);
+    EXPECT_TRUE(report.at("holds").get<bool>());
+    ASSERT_EQ(report.at("rows").size(), 3u);
+    for (const auto& row : report.at("rows")) {
         EXPECT_EQ(row.at("file"), "lib/phong.glsl");
         EXPECT_GT(row.at("inputs").get<int>(), 1000);
         EXPECT_GT(row.at("share").get<double>(), 0);
@@ -74,9 +74,9 @@ TEST_F(Cli, NumericsOfPairs) {
               ran = run({"numerics", "--pairs", "--quick", "--only", "Fresnel", "--json"});
     EXPECT_EQ(text.code, 0) << text.err;
     EXPECT_THAT(text.out, AllOf(HasSubstr("\nFresnel: stable "), HasSubstr("\nFresnel: naive "), HasSubstr("ns a call")));
-    const auto json = nlohmann::json::parse(ran.out);
-    ASSERT_EQ(json.at("pairs").size(), 1u);
-    const auto& forms = json.at("pairs")[0].at("forms");
+    const auto report = nlohmann::json::parse(ran.out);
+    ASSERT_EQ(report.at("pairs").size(), 1u);
+    const auto& forms = report.at("pairs")[0].at("forms");
     ASSERT_EQ(forms.size(), 3u);
     EXPECT_LT(forms[0].at("relative").get<double>(), 1e-6);
     EXPECT_GT(forms[1].at("relative").get<double>(), 1e-4);

@@ -6,7 +6,7 @@ namespace lightbench::kernels {
 
 namespace {
 
-void fill_ray(std::span<float> in, const Vec3& o, const Vec3& d, const Vec3& c, double r) {
+void put_ray(std::span<float> in, const Vec3& o, const Vec3& d, const Vec3& c, double r) {
     put(in, 0, o);
     put(in, 3, d);
     put(in, 6, c);
@@ -25,7 +25,7 @@ TEST_F(Kernel, RaySphereFarAway) {
     for (double far : {1e2, 1e3, 1e4, 1e5, 1e6}) {
         const Inputs in = generate(kMillion / 8, 11, 3, [=](Random& random, std::span<float> tuple) {
             const Vec3 way = random_direction(random), aim = uniform(random, 0, 0.4) * unit(cross(way, random_direction(random)));
-            fill_ray(tuple, Vec3{0, 0, 0} - far * way, unit(aim + far * way), {0, 0, 0}, 1);
+            put_ray(tuple, Vec3{0, 0, 0} - far * way, unit(aim + far * way), {0, 0, 0}, 1);
         });
         expect_within(run_kernel(device, "ray_sphere", in, 10), constant(1), Bound::exact(),
                       [](std::span<const float>, std::span<const float> out) { return out[0] < kFloatMax ? 1 : 0; });
@@ -54,7 +54,7 @@ TEST_F(Kernel, RaySphereSpecialRays) {
     };
     expect_within(run_kernel(device, "ray_sphere", in, 10), constant(1), Bound::exact(), sane);
     const Inputs out_of = generate(kMillion / 16, 11, 1, [](Random& random, std::span<float> tuple) {
-        fill_ray(tuple, {0, 0, 0}, random_direction(random), {0, 0, 0}, 2);
+        put_ray(tuple, {0, 0, 0}, random_direction(random), {0, 0, 0}, 2);
     });
     expect_within(run_kernel(device, "ray_sphere", out_of, 10), constant(2), Bound::relative(8 * kU));
 }

@@ -174,4 +174,9 @@ std::string Viewer::errors() const {
     return text_of(folder / "errors");
 }
 
+std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 } // namespace lightbench::viewer

@@ -53,5 +53,6 @@ class Viewer : public ::testing::Test {
 };
 
 std::string output_of(const std::string& command);
+std::string bytes_of(const std::filesystem::path& file);
 
 } // namespace lightbench::viewer

@@ -37,11 +37,6 @@ shape = "sphere"
 material = "red"
 )";
 
-std::string bytes_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 struct Edit {
     const char* file;
     const char *from, *to;

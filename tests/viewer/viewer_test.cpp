@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kBall = R"([film]
+const char* const kBallAndBox = R"([film]
 width = 160
 height = 120
 [camera]
@@ -38,14 +38,9 @@ material = "red"
 translate = [1.4, 0, 0]
 )";
 
-std::string bytes_of(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 class Driven : public Viewer {
   protected:
-    std::string scene(const std::string& text = kBall) const {
+    std::string scene(const std::string& text = kBallAndBox) const {
         std::ofstream(folder / "scene.toml") << text;
         return (folder / "scene.toml").string();
     }
@@ -162,7 +157,7 @@ TEST_F(Driven, AChangedFileIsReadAgainAndABrokenOneLeavesWhatThereIs) {
     expect("settled");
     scene("[film]\nwidth = 0\n");
     expect("problem ");
-    std::string green = kBall;
+    std::string green = kBallAndBox;
     green.replace(green.find("[0.7, 0.1, 0.1]"), 15, "[0.1, 0.7, 0.1]");
     scene(green);
     expect("opened ");
