@@ -142,6 +142,7 @@ bool read_cone(NffLoad& load) {
 }
 
 bool unknown_word(NffLoad& load, std::string_view word) {
+    if (full(load.log)) return fault_here(load, ""), false; // counted
     const auto is = [&](std::span<const std::string_view> words) { return std::find(words.begin(), words.end(), word) != words.end(); };
     if (is(kViewWords))
         fault_here(load, "{} stands outside a view; it belongs behind v", in_quotes(word));
