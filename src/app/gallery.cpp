@@ -26,7 +26,6 @@ namespace fs = std::filesystem;
 
 struct Curator {
     gpu::Device& device;
-    std::string device_name; // as the user gave it
     Messages messages;
     fs::path folder;
     glm::uvec2 size;
@@ -83,20 +82,10 @@ Request request_of(const ShotRow& shot, glm::uvec2 size) {
     return request;
 }
 
-RenderOutput render_on(gpu::Device& device, const Scene& scene, const Prepared& prepared) {
+RenderOutput render_shot(Curator& curator, const Scene& scene, const Prepared& prepared) {
     RenderOptions options;
     options.warm_up = prepared.plan.method == Method::raster; // drivers compile at the first draw, but before the first dispatch
-    return Renderer(device, scene, prepared.geometry, prepared.plan).render(prepared.view, options);
-}
-
-// Rays get a device of their own: once a context of llvmpipe has drawn, it takes the timestamps around dispatches when the next picture is
-// put together, all at once (Mesa 22.3, lp_setup_end_query: at once only while the framebuffer is empty).
-RenderOutput render_shot(Curator& curator, const Scene& scene, const Prepared& prepared) {
-    if (prepared.plan.method == Method::raster) return render_on(curator.device, scene, prepared);
-    gpu::Device device = gpu::Device::open({curator.device_name});
-    RenderOutput output = render_on(device, scene, prepared);
-    close_and_check(std::move(device));
-    return output;
+    return Renderer(curator.device, scene, prepared.geometry, prepared.plan).render(prepared.view, options);
 }
 
 std::optional<RayStatistics> count_rays(Curator& curator, Scene& scene, Request request) {
@@ -157,7 +146,7 @@ void make_gallery(const GalleryArguments& arguments) {
     if (!fs::is_directory(arguments.folder))
         throw UserError("-o", fmt::format("the folder {} cannot be made: {}", arguments.folder, error.message()));
     gpu::Device device = gpu::Device::open({arguments.device});
-    Curator curator{device, arguments.device, {arguments.quiet, Progress::automatic}, arguments.folder, *size};
+    Curator curator{device, {arguments.quiet, Progress::automatic}, arguments.folder, *size};
     std::vector<Exhibit> exhibits;
     for (const ExhibitRow& row : exhibit_rows()) exhibits.push_back(exhibit_of(curator, row));
     const fs::path page = curator.folder / "index.html";

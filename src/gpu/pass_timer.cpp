@@ -8,6 +8,16 @@ namespace {
 
 constexpr std::uint32_t kPassesPerPool = 64; // two timestamps each
 
+// Once a context of llvmpipe has drawn, it puts a timestamp off until it next flushes, and so the two around a dispatch come at one time,
+// after it (Mesa 22.3 and 25.0, lp_setup_end_query: at once only while the framebuffer is empty). A barrier flushes.
+void write_timestamp(const DeviceState& device, const vk::raii::CommandBuffer& commands, vk::QueryPool pool, std::uint32_t slot) {
+    using Stage = vk::PipelineStageFlagBits2;
+    commands.writeTimestamp2(Stage::eAllCommands, pool, slot); // all commands: the clock starts when the passes before have ended
+    if (!device.info.is_cpu) return;
+    const vk::MemoryBarrier2 barrier{.srcStageMask = Stage::eAllCommands, .dstStageMask = Stage::eAllCommands};
+    commands.pipelineBarrier2({.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
+}
+
 } // namespace
 
 void PassTimer::begin(const vk::raii::CommandBuffer& commands, std::string_view name) {
@@ -18,14 +28,13 @@ void PassTimer::begin(const vk::raii::CommandBuffer& commands, std::string_view 
                             vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kPassesPerPool});
     if (slot == 0) commands.resetQueryPool(*pools_[pool], 0, 2 * kPassesPerPool);
     names_.emplace_back(name);
-    // All commands: the clock starts when the passes before have ended.
-    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pools_[pool], 2 * slot);
+    write_timestamp(device_, commands, *pools_[pool], 2 * slot);
 }
 
 void PassTimer::end(const vk::raii::CommandBuffer& commands) {
     const std::size_t last = names_.size() - 1;
     const std::uint32_t slot = static_cast<std::uint32_t>(last % kPassesPerPool);
-    commands.writeTimestamp2(vk::PipelineStageFlagBits2::eAllCommands, *pools_[last / kPassesPerPool], 2 * slot + 1);
+    write_timestamp(device_, commands, *pools_[last / kPassesPerPool], 2 * slot + 1);
 }
 
 Timings PassTimer::read_and_reset() {
