@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kPassesPerPool = 64; // two timestamps each
 
 // Once a context of llvmpipe has drawn, it puts a timestamp off until it next flushes, and so the two around a dispatch come at one time,
-// after it (Mesa 22.3 and 25.0, lp_setup_end_query: at once only while the framebuffer is empty). A barrier flushes.
+// after it (Mesa 22.3, lp_setup_end_query: at once only while the framebuffer is empty). A barrier flushes.
 void write_timestamp(const DeviceState& device, const vk::raii::CommandBuffer& commands, vk::QueryPool pool, std::uint32_t slot) {
     using Stage = vk::PipelineStageFlagBits2;
     commands.writeTimestamp2(Stage::eAllCommands, pool, slot); // all commands: the clock starts when the passes before have ended
