@@ -20,24 +20,8 @@ Scene mixed_scene() {
     ball.shape = Sphere{{0, 1, 0}, 1}, ball.material = 1;
     ring.shape = Torus{{2, 0.5, 1}, {0, 1, 0}, 1, 0.25};
     scene.objects.push_back(ball), scene.objects.push_back(ring);
-    Light sun, spot = point_light({2, 4, 0}, glm::vec3(2), Attenuation::linear);
-    sun.type = LightType::directional, sun.direction = glm::normalize(glm::dvec3(-1, -1, -1)), sun.intensity = glm::vec3(0.3f);
-    spot.type = LightType::spot, spot.direction = {0, -1, 0};
-    scene.lights = {point_light({-2, 4, 2}, {1, 0.8f, 0.6f}, Attenuation::linear), sun, spot,
-                    point_light({0, 3, 4}, glm::vec3(9), Attenuation::inverse_square)};
+    scene.lights = lights_of_every_kind();
     return scene;
-}
-
-void scale_scene(Scene& scene, double s) {
-    scene.transforms.push_back(glm::dmat4(glm::dmat3(s)));
-    for (Object& o : scene.objects) o.transform = static_cast<std::uint32_t>(scene.transforms.size() - 1);
-    for (Camera& c : scene.cameras) c.position *= s, c.target *= s;
-    for (Light& l : scene.lights) {
-        l.position *= s, l.d0 *= s;
-        if (l.type == LightType::directional) continue;
-        if (l.attenuation == Attenuation::linear) l.intensity *= float(s);
-        if (l.attenuation == Attenuation::inverse_square) l.intensity *= float(s * s);
-    }
 }
 
 const Shading kAll[] = {Shading::flat, Shading::gouraud, Shading::phong};

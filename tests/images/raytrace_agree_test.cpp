@@ -26,24 +26,8 @@ Scene mixed_scene() {
     can.shape = Cylinder{{-2, 0.2, 1}, {-2.4, 1.2, 1.5}, 0.4}, can.material = 1;
     box.shape = Box{{-1, 0.125, 2}, {0, 0.5, 3}};
     scene.objects.insert(scene.objects.end(), {ball, ring, can, box});
-    Light sun, spot = point_light({2, 4, 0}, glm::vec3(2), Attenuation::linear);
-    sun.type = LightType::directional, sun.direction = glm::normalize(dvec3(-1, -1, -1)), sun.intensity = glm::vec3(0.3f);
-    spot.type = LightType::spot, spot.direction = {0, -1, 0};
-    scene.lights = {point_light({-2, 4, 2}, {1, 0.8f, 0.6f}, Attenuation::linear), sun, spot,
-                    point_light({0, 3, 4}, glm::vec3(9), Attenuation::inverse_square)};
+    scene.lights = lights_of_every_kind();
     return scene;
-}
-
-void scale_scene(Scene& scene, double s) {
-    scene.transforms.push_back(glm::dmat4(glm::dmat3(s)));
-    for (Object& o : scene.objects) o.transform = static_cast<std::uint32_t>(scene.transforms.size() - 1);
-    for (Camera& c : scene.cameras) c.position *= s, c.target *= s;
-    for (Light& l : scene.lights) {
-        l.position *= s, l.d0 *= s;
-        if (l.type == LightType::directional) continue;
-        if (l.attenuation == Attenuation::linear) l.intensity *= float(s);
-        if (l.attenuation == Attenuation::inverse_square) l.intensity *= float(s * s);
-    }
 }
 
 // Everything that can be sent on, so that every kind of ray is scaled.

@@ -46,6 +46,26 @@ Light point_light(glm::dvec3 position, glm::vec3 intensity, Attenuation law) {
     return light;
 }
 
+std::vector<Light> lights_of_every_kind() {
+    Light sun, spot = point_light({2, 4, 0}, glm::vec3(2), Attenuation::linear);
+    sun.type = LightType::directional, sun.direction = glm::normalize(glm::dvec3(-1, -1, -1)), sun.intensity = glm::vec3(0.3f);
+    spot.type = LightType::spot, spot.direction = {0, -1, 0};
+    return {point_light({-2, 4, 2}, {1, 0.8f, 0.6f}, Attenuation::linear), sun, spot,
+            point_light({0, 3, 4}, glm::vec3(9), Attenuation::inverse_square)};
+}
+
+void scale_scene(Scene& scene, double s) {
+    scene.transforms.push_back(glm::dmat4(glm::dmat3(s)));
+    for (Object& o : scene.objects) o.transform = static_cast<std::uint32_t>(scene.transforms.size() - 1);
+    for (Camera& c : scene.cameras) c.position *= s, c.target *= s;
+    for (Light& l : scene.lights) {
+        l.position *= s, l.d0 *= s;
+        if (l.type == LightType::directional) continue;
+        if (l.attenuation == Attenuation::linear) l.intensity *= float(s);
+        if (l.attenuation == Attenuation::inverse_square) l.intensity *= float(s * s);
+    }
+}
+
 Request radiance_request(Shading shading, glm::uvec2 size) {
     Request request;
     request.shading = shading, request.size = size, request.output = Output::radiance;

@@ -22,6 +22,11 @@ Rendered render_scene(Scene scene, Request request);
 Scene plane_scene(glm::dvec3 eye);
 Light point_light(glm::dvec3 position, glm::vec3 intensity, Attenuation law = Attenuation::none);
 
+// Points, a sun and a spot, with attenuation and without, around the origin.
+std::vector<Light> lights_of_every_kind();
+// The same scene `s` times as large; pictures do not change.
+void scale_scene(Scene& scene, double s);
+
 Request radiance_request(Shading shading, glm::uvec2 size = {64, 48});
 
 glm::dvec3 pixel(const ImageF& image, unsigned x, unsigned y);

@@ -1,57 +1,14 @@
 // Tilted normals and tangent frames against double: BM-2, BM-3.
+#include "measure/numerics/frames.h"
 #include "measure/numerics/rows.h"
-
-#include <array>
-#include <cmath>
 
 namespace lightbench::kernels {
 
+namespace frames {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector at(std::span<const float> values, std::size_t first) {
-    return {static_cast<double>(values[first]), static_cast<double>(values[first + 1]), static_cast<double>(values[first + 2])};
-}
-
-double dot(const Vector& a, const Vector& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double length(const Vector& v) {
-    return std::hypot(v[0], v[1], v[2]);
-}
-
-Vector plus(const Vector& a, const Vector& b, double factor) {
-    return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
-}
-
-Vector unit(const Vector& v) {
-    return plus({0, 0, 0}, v, 1 / length(v));
-}
-
-void put(std::span<float> out, const Vector& v) {
-    for (std::size_t i = 0; i < 3; ++i) out[i] = static_cast<float>(v[i]);
-}
-
-Vector random_unit(Random& random) {
-    Vector v{};
-    unit_vector(random, v);
-    return v;
-}
 
 Measure off_unit(std::size_t first) {
     return [=](std::span<const float>, std::span<const float> out) { return length(at(out, first)) - 1; };
-}
-
-// Some n, a t at any small angle from n or its opposite, of any length; both handednesses.
-void fill_frame(Random& random, std::span<float> in) {
-    const Vector n = random_unit(random);
-    const double side = uniform(random, -1, 1) < 0 ? -1 : 1, along = uniform(random, -1, 1) < 0 ? side : 0;
-    const Vector t = plus(plus({0, 0, 0}, n, along), random_unit(random), log_uniform(random, 1e-9, 1));
-    put(in.subspan(0, 3), n);
-    put(in.subspan(3, 3), plus({0, 0, 0}, t, log_uniform(random, 1e-20, 1e20)));
-    in[6] = uniform(random, -1, 1) < 0 ? -1.0f : 1.0f;
 }
 
 using Pick = Vector (*)(std::span<const float> in, std::span<const float> out);
@@ -187,9 +144,10 @@ Row normal_map_row() {
 }
 
 } // namespace
+} // namespace frames
 
 Rows bump_rows() {
-    return {perturb_row(), facing_row(), frame_row(), normal_map_row()};
+    return {frames::perturb_row(), frames::facing_row(), frames::frame_row(), frames::normal_map_row()};
 }
 
 } // namespace lightbench::kernels
