@@ -6,22 +6,34 @@
 #include "shared/layouts.h"
 #include "lib/color.glsl"
 
-layout(local_size_x = 16, local_size_y = 4) in;
+layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { DisplayPush push; };
 layout(set = 0, binding = 0) uniform texture2D radiance;
-layout(set = 0, binding = 1, scalar) writeonly buffer Pixels { uint pixels[]; };
+layout(set = 0, binding = 1, scalar) writeonly buffer Pixels { uvec4 pixels[]; }; // four to an invocation; a store costs CPU drivers most
 layout(set = 0, binding = 2, scalar) buffer CensusBlock { Census census; };
 
+uint encoded(vec3 c) {
+    vec3 e = srgb_encode(clamp(c * push.gain, 0.0, 1.0));
+    return quantize8(e.r) | quantize8(e.g) << 8 | quantize8(e.b) << 16 | 0xff000000u;
+}
+
 void main() {
-    uvec2 at = gl_GlobalInvocationID.xy;
+    uint i = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * gl_WorkGroupSize.x + gl_LocalInvocationIndex;
+    uint first = 4u * i, count = push.size.x * push.size.y;
+    if (first >= count) return;
     // One invocation bears witness for its work group: an atomic a pixel would cost more than the display.
-    if (gl_LocalInvocationIndex == 0u) {
-        uvec2 inside = min(gl_WorkGroupSize.xy, push.size - at);
-        atomicAdd(census.visited, inside.x * inside.y);
+    if (gl_LocalInvocationIndex == 0u) atomicAdd(census.visited, min(4u * gl_WorkGroupSize.x, count - first));
+    uvec2 at = uvec2(first % push.size.x, first / push.size.x);
+    uvec4 four;
+    uint bad = 0u;
+    for (uint k = 0u; k < 4u; ++k) {
+        vec4 c = texelFetch(radiance, ivec2(push.offset + at), 0);
+        bad += uint(first + k < count && non_finite(c));
+        four[k] = encoded(c.rgb);
+        ++at.x;
+        bool next = at.x == push.size.x;
+        at = next ? uvec2(0u, min(at.y + 1u, push.size.y - 1u)) : at;
     }
-    if (at.x >= push.size.x || at.y >= push.size.y) return;
-    vec4 c = texelFetch(radiance, ivec2(push.offset + at), 0);
-    if (non_finite(c)) atomicAdd(census.non_finite, 1u);
-    vec3 encoded = srgb_encode(clamp(c.rgb * push.gain, 0.0, 1.0));
-    pixels[at.y * push.size.x + at.x] = quantize8(encoded.r) | quantize8(encoded.g) << 8 | quantize8(encoded.b) << 16 | 0xff000000u;
+    if (bad != 0u) atomicAdd(census.non_finite, bad);
+    pixels[i] = four;
 }

@@ -2,12 +2,21 @@
 #include "render/display.h"
 
 #include "gpu/check.h"
+#include "render/raster.h"
 #include "render/shaders.h"
 #include "shared/layouts.h"
 
 #include <cmath>
 
 namespace lightbench {
+namespace {
+
+// Of display.comp, which takes four pixels each.
+std::uint32_t invocations(const Display& d) {
+    return (d.crop.size.x * d.crop.size.y + 3) / 4;
+}
+
+} // namespace
 
 Display make_display(gpu::Device& device, const Plan& plan) {
     Display d;
@@ -17,7 +26,7 @@ Display make_display(gpu::Device& device, const Plan& plan) {
     if (!plan.runs("display")) return d;
     d.display = gpu::make_compute(device, find_shader("display/display.comp"), {}, sizeof(gpu_layout::DisplayPush));
     const auto storage = vk::BufferUsageFlagBits::eStorageBuffer;
-    d.pixels = gpu::make_buffer(device, "pixels", vk::DeviceSize{plan.crop.size.x} * plan.crop.size.y * 4, storage, gpu::Memory::readback);
+    d.pixels = gpu::make_buffer(device, "pixels", vk::DeviceSize{invocations(d) * 16}, storage, gpu::Memory::readback);
     d.census = gpu::make_buffer(device, "census", sizeof(gpu_layout::Census), storage, gpu::Memory::readback);
     return d;
 }
@@ -31,7 +40,7 @@ void record_display(gpu::Recorder& recorder, Display& d, gpu::Image& radiance) {
     recorder.fill(d.census, 0);
     const gpu_layout::DisplayPush push{d.crop.offset, d.crop.size, std::exp2(d.exposure), 0, 0, 0};
     recorder.compute("display", d.display, {{"radiance", radiance}, {"Pixels", d.pixels}, {"CensusBlock", d.census}}, push,
-                     {(d.crop.size.x + 15) / 16, (d.crop.size.y + 3) / 4});
+                     groups_for(invocations(d)));
 }
 
 void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, gpu::Image& sum, float weight, std::uint32_t mode) {
@@ -40,7 +49,9 @@ void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, g
 }
 
 Image8 read_pixels(gpu::Device& device, Display& d, const Rect& crop) {
-    return {crop.size.x, crop.size.y, gpu::download_all<std::uint8_t>(device, d.pixels)};
+    std::vector<std::uint8_t> rgba = gpu::download_all<std::uint8_t>(device, d.pixels);
+    rgba.resize(std::size_t{4} * crop.size.x * crop.size.y); // the last four may be fewer
+    return {crop.size.x, crop.size.y, std::move(rgba)};
 }
 
 std::uint64_t read_census(gpu::Device& device, Display& d) {

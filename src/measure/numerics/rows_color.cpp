@@ -45,7 +45,7 @@ const auto kEncodedSteps = [](auto in) {
 
 Rows color_rows() {
     const Oracle curve = oracle([](auto in) { return encoded(in[0]); });
-    const Bound half_step = Bound::absolute(0.5 + 1e-4);
+    const Bound half_step = Bound::absolute(0.5 + 29 * kU * 255);
     const char* file = "lib/color.glsl";
     return {{"srgb_encode",
              file,
@@ -53,15 +53,15 @@ Rows color_rows() {
              "srgb_encode",
              1,
              curve_inputs,
-             {{"", "absolute 5 u", curve, Bound::absolute(5 * kU)}}},
+             {{"", "absolute 29 u", curve, Bound::absolute(29 * kU)}}},
             {"quantize8",
              file,
              "anything; every tie and its neighbours",
              "quantize8",
              2,
              units,
-             {{"", "half a step and 1e-4", oracle(kSteps), half_step},
-              {"of srgb_encode", "half a step and 1e-4", oracle(kEncodedSteps), half_step, component(1)}}}};
+             {{"", "half a step and 1e-4", oracle(kSteps), Bound::absolute(0.5 + 1e-4)},
+              {"of srgb_encode", "half a step and 29 u", oracle(kEncodedSteps), half_step, component(1)}}}};
 }
 
 } // namespace lightbench::kernels
