@@ -5,6 +5,7 @@
 #include "gpu/memory_budget.h"
 #include "gpu/pipeline.h"
 #include "gpu/pipeline_cache.h"
+#include "gpu/stage_cache.h"
 #include "gpu/validation.h"
 #include "gpu/vma.h"
 
@@ -36,6 +37,7 @@ struct DeviceState {
     vk::raii::Sampler nearest{nullptr};
     std::optional<CacheFile> cache_file; // none: LIGHTBENCH_NO_CACHE=1 or no folder
     vk::raii::PipelineCache cache{nullptr};
+    StageCache stage_cache{cache_folder()};
     std::map<std::pair<const std::uint32_t*, Constants>, Stage> stages;      // specialised, by shader and constants
     std::map<std::string, std::vector<std::uint32_t>, std::less<>> replaced; // modules in place of the program's own
     Constants replaced_constants;

@@ -48,7 +48,7 @@ void strip_vertex_stage(PipelineState& s) {
     Stage& vertex = s.stages[0];
     const std::span<const std::uint32_t> fragment =
         s.stages.size() > 1 ? std::span<const std::uint32_t>(s.stages[1].words) : std::span<const std::uint32_t>();
-    vertex.words = drop_unread_outputs(vertex.words, fragment);
+    vertex.words = s.device->stage_cache.without_unread_outputs(vertex.words, fragment);
     vertex.reflection = reflect(vertex.words);
 }
 

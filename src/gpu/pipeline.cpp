@@ -30,10 +30,11 @@ vk::DescriptorType descriptor_type(BindingKind kind) {
 
 namespace {
 
-Stage specialized_stage(const ShaderCode& code, const Constants& constants, std::size_t push_size, const FloatRules& rules) {
+Stage specialized_stage(DeviceState& device, const ShaderCode& code, const Constants& constants, std::size_t push_size) {
     const Reflection written = reflect(code.words);
     if (written.push_size != 0) CHECK(written.push_size == push_size, "push constants of {}", code.name);
-    Stage stage{.shader = std::string(code.name), .words = apply_float_rules(specialize(code, constants), rules)};
+    Stage stage{.shader = std::string(code.name),
+                .words = apply_float_rules(device.stage_cache.specialized(code, constants), device.info.float_rules)};
     for (const ReflectedBinding& b : written.bindings) stage.declared.push_back(b.name);
     stage.reflection = reflect(stage.words);
     return stage;
@@ -51,7 +52,7 @@ const Stage& make_stage(DeviceState& device, const ShaderCode& code, const Const
         values.insert(device.replaced_constants.begin(), device.replaced_constants.end());
     }
     const auto [known, made] = device.stages.try_emplace({chosen.words.data(), values});
-    if (made) known->second = specialized_stage(chosen, values, push_size, device.info.float_rules);
+    if (made) known->second = specialized_stage(device, chosen, values, push_size);
     return known->second;
 }
 

@@ -37,6 +37,7 @@ const char* environment(const char* name) {
 }
 
 void warn(const CacheFile& file, std::string_view what) {
+    if (file.quiet) return;
     fmt::print(stderr, "pipeline cache {}: {}\n", file.path.string(), what);
 }
 
@@ -61,7 +62,7 @@ std::optional<std::filesystem::path> cache_folder() {
 
 CacheFile cache_file(const std::filesystem::path& folder, const CacheOwner& owner) {
     const std::uint64_t key = checksum(std::as_bytes(std::span(&owner, 1)));
-    return {folder / fmt::format("pipelines-{:016x}.bin", key), owner, 0};
+    return {folder / fmt::format("pipelines-{:016x}.bin", key), owner};
 }
 
 std::vector<std::byte> read_cache(CacheFile& file) {

@@ -21,6 +21,7 @@ struct CacheFile {
     std::filesystem::path path;
     CacheOwner owner;
     std::uint64_t stored = 0; // checksum of what the file holds; 0: nothing
+    bool quiet = false;       // no line on standard error
 };
 
 // The folder that the environment names; nothing with LIGHTBENCH_NO_CACHE=1 or without a home.
