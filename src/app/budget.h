@@ -8,21 +8,23 @@
 
 namespace lightbench {
 
-// As typed; empty: not given.
+// As typed; of the last three, empty: not given.
 struct BudgetArguments {
-    std::string budget, max_error, metric, cost, knob;
-    bool wanted() const { return !budget.empty() || !max_error.empty(); }
+    std::optional<std::string> budget, max_error;
+    std::string metric, cost, knob;
+    bool wanted() const { return budget || max_error; }
 };
 
 // What was chosen, and where it was measured.
 struct BudgetChoice {
     std::string sentence;     // which, and why
-    std::string measured_for; // empty, or a warning: another scene, another size
+    std::string measured_for; // empty, or a warning: another scene, another size, another view
     std::string device, version;
 };
 
-// Puts the value of the knob into `given`. Throws UserError: not understood, no such file, knob or metric, or nothing fits, with the nearest offer.
-BudgetChoice apply_budget(const BudgetArguments& arguments, Given& given);
+// Puts the value of the knob into `given`. `film`: asked for the size of the scene's own picture where neither --size nor --crop is given.
+// Throws UserError: not understood, no such file, knob or metric, or nothing fits, with the nearest offer.
+BudgetChoice apply_budget(const BudgetArguments& arguments, Given& given, const std::function<glm::uvec2()>& film);
 
 // A warning if it was measured elsewhere; else empty.
 std::string warning_of_device(const BudgetChoice& choice, const gpu::DeviceInfo& device);

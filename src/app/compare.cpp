@@ -37,7 +37,7 @@ void print_text(const Comparison& c) {
         fmt::print("not finite: {} pixels of the reference, {} of the other\n", c.metrics.non_finite_reference, c.metrics.non_finite_test);
 }
 
-// JSON has no infinity: the PSNR of equal pictures is null.
+// JSON has no infinity: the PSNR of equal pictures is null, and RMSE, PSNR and maximum where a pixel is not finite.
 ordered_json number(double x) {
     return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
 }

@@ -1,20 +1,17 @@
 // lightbench cost SCENE --knob NAME[=v1,v2,...] -o DIR: what accuracy costs in time. Every value of a knob is rendered, held against a reference and
 // timed; DIR gets cost.csv, cost.json, the plots, report.html and the pictures.
 #include "app/commands.h"
+#include "app/cost_folder.h"
 #include "app/cost_knob.h"
 #include "app/cost_table.h"
 #include "app/errors.h"
+#include "app/interrupt.h"
+#include "app/live_shaders.h"
 #include "app/numbers.h"
 #include "app/prepare.h"
 #include "app/stats.h"
 #include "app/validation.h"
-#include "image/file_bytes.h"
 #include "measure/function_curves.h"
-#include "measure/pareto.h"
-#include "measure/report_csv.h"
-#include "measure/report_html.h"
-#include "measure/report_json.h"
-#include "measure/report_svg.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -24,16 +21,12 @@
 namespace lightbench {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct CostArguments {
     Given given;
     std::vector<std::string> knobs;
     std::string folder, rounds, seconds;
     bool list = false, strict = false;
 };
-
-constexpr const char* kFunctions = "functions"; // the knob that has no pictures: --knob functions
 
 // A sweep renders hundreds of pictures: as many pixels as 320 x 180, in the shape of the scene's own picture.
 std::string default_size(const Scene& scene) {
@@ -60,7 +53,7 @@ RoundLimits parse_limits(const CostArguments& a, Problems& problems) {
 std::vector<KnobUse> parse_knobs(const std::vector<std::string>& texts, Problems& problems) {
     std::vector<KnobUse> uses;
     for (const std::string& text : texts) {
-        if (text == kFunctions) continue;
+        if (text == kFunctionsKnob) continue;
         std::string problem;
         const auto use = parse_knob(text, problem);
         if (!use)
@@ -70,6 +63,8 @@ std::vector<KnobUse> parse_knobs(const std::vector<std::string>& texts, Problems
         else
             uses.push_back(*use);
     }
+    if (std::ranges::count(texts, kFunctionsKnob) > 1)
+        problems.push_back({"--knob", 0, 0, fmt::format("{} is there twice; once is enough", kFunctionsKnob)});
     return uses;
 }
 
@@ -79,14 +74,7 @@ void check_options(const CostArguments& a, Problems& problems) {
         if (a.given.contains(flag)) problems.push_back({flag, 0, 0, "belongs to render; cost measures whole pictures of one frame"});
     if (!a.given.contains("SCENE")) problems.push_back({"cost", 0, 0, "SCENE is missing"});
     if (a.knobs.empty()) problems.push_back({"--knob", 0, 0, "is missing; lightbench cost --list names the knobs"});
-    if (a.folder.empty()) return problems.push_back({"-o", 0, 0, "is missing: the folder of the report"});
-    const fs::path whole = fs::absolute(a.folder).lexically_normal(); // ends in a slash if that was typed
-    const fs::path parent = (whole.has_filename() ? whole : whole.parent_path()).parent_path();
-    std::error_code ignored;
-    if (!fs::is_directory(parent, ignored))
-        problems.push_back({"-o", 0, 0, fmt::format("there is no folder {}; it must exist", parent.string())});
-    if (fs::exists(a.folder, ignored) && !fs::is_directory(a.folder, ignored))
-        problems.push_back({"-o", 0, 0, fmt::format("{} is a file; it must be a folder, or not exist yet", a.folder)});
+    check_folder(a.folder, problems);
 }
 
 std::string report_command(const CostArguments& a) {
@@ -108,13 +96,6 @@ CostReport start_report(const CostArguments& a, const SceneOptions& options, con
     report.device = device.name, report.driver = device.driver, report.version = device.version;
     report.command = report_command(a);
     return report;
-}
-
-void write_report(const CostReport& report, const fs::path& folder) {
-    write_file((folder / "cost.csv").string(), cost_csv(report));
-    write_file((folder / "cost.json").string(), cost_json(report));
-    write_cost_plots(report, folder);
-    write_file((folder / "report.html").string(), report_html(report, folder));
 }
 
 // With the method that the first knob which belongs to one brings along, if none was typed: --patch is no problem beside --knob shots.
@@ -147,14 +128,55 @@ PlannedReport plan_report(const CostArguments& a, Scene& scene) {
     return planned;
 }
 
+// Results as soon as there are some: a sweep takes minutes, and what reads them may be a pipe.
+void print_curve(const CostCurve& curve) {
+    fmt::print("{}", curve_table(curve));
+    std::fflush(stdout);
+}
+
+// Those that were typed, shared among the pairs.
+kernels::PairLimits pair_limits(const CostArguments& a, const RoundLimits& typed) {
+    kernels::PairLimits limits;
+    if (!a.rounds.empty()) limits.rounds.most = typed.most;
+    if (!a.seconds.empty()) limits.rounds.milliseconds = typed.milliseconds / double(kernels::all_pairs().size());
+    return limits;
+}
+
 // Stable against naive formulas, which no picture shows.
-void add_functions(CostReport& report, gpu::Device& device, const Messages& messages) {
+void add_functions(CostReport& report, gpu::Device& device, const kernels::PairLimits& limits, const Messages& messages) {
     messages.step("trying shader functions");
-    for (CostCurve& curve : function_curves(device)) {
-        mark_fronts(curve.points);
-        fmt::print("{}", curve_table(curve));
+    for (CostCurve& curve : function_curves(device, limits, Interrupt::came)) {
+        print_curve(curve);
         report.curves.push_back(std::move(curve));
     }
+}
+
+// Knob by knob, the report written after each: what goes wrong later costs nothing that was measured. Returns how many expectations are broken.
+std::size_t measure(const PlannedReport& planned, const CostArguments& a, gpu::Device& device, const Scene& scene, CostReport& report,
+                    const Messages& messages) {
+    ReportFolder folder{a.folder};
+    std::size_t broken = 0;
+    for (const PlannedKnob& knob : planned.knobs) {
+        const Stopwatch watch;
+        const Swept swept = measure_knob(knob, {device, scene, folder, planned.limits, messages});
+        if (swept.stopped) break;
+        report.curves.push_back(swept.curve), broken += swept.broken;
+        print_curve(swept.curve);
+        write_report(report, folder);
+        messages.say(fmt::format("{}: {:.1f} s", knob.knob->name, watch.milliseconds() / 1000));
+    }
+    if (std::ranges::find(a.knobs, kFunctionsKnob) != a.knobs.end() && !Interrupt::came()) {
+        add_functions(report, device, pair_limits(a, planned.limits), messages);
+        write_report(report, folder);
+    }
+    return broken;
+}
+
+void warn_of_overridden(const std::vector<PlannedKnob>& knobs, const Messages& messages) {
+    for (const PlannedKnob& knob : knobs)
+        if (!knob.overridden.empty())
+            messages.say(fmt::format("warning: --knob {}: it turns {}; what was typed there has no effect on all of its points",
+                                     knob.knob->name, fmt::join(knob.overridden, ", ")));
 }
 
 // Returns the exit code.
@@ -162,27 +184,26 @@ int cost(const CostArguments& a) {
     if (a.list) {
         fmt::print("{}{:<14}stable formulas of shader functions against the textbooks', and those in float64\n"
                    "  reference   an oracle of 60 digits; milliseconds are those of 10^6 calls\n",
-                   knob_list(), kFunctions);
+                   knob_list(), kFunctionsKnob);
         return 0;
     }
     Scene scene;
     const PlannedReport planned = plan_report(a, scene);
     const Messages messages{planned.options.quiet, planned.options.progress};
-    fs::create_directories(fs::path(a.folder) / "images");
+    warn_of_overridden(planned.knobs, messages);
+    const Interrupt interrupt;
     messages.step("opening the device");
     gpu::Device device = gpu::Device::open({planned.options.device});
+    use_shaders(device, planned.options.shaders, planned.options.sliders);
     CostReport report = start_report(a, planned.options, device.info());
-    std::size_t broken = 0;
-    for (const PlannedKnob& knob : planned.knobs) {
-        const Stopwatch watch;
-        const Swept swept = measure_knob(knob, {device, scene, a.folder, planned.limits, messages});
-        report.curves.push_back(swept.curve), broken += swept.broken;
-        fmt::print("{}", curve_table(swept.curve));
-        messages.say(fmt::format("{}: {:.1f} s", knob.knob->name, watch.milliseconds() / 1000));
-    }
-    if (std::ranges::find(a.knobs, kFunctions) != a.knobs.end()) add_functions(report, device, messages);
-    write_report(report, a.folder);
+    const std::size_t broken = measure(planned, a, device, scene, report, messages);
     close_and_check(std::move(device));
+    if (Interrupt::came()) {
+        messages.say(report.curves.empty() ? "interrupted: nothing was measured yet"
+                                           : fmt::format("interrupted: {} holds what was measured: {} curve{}", a.folder,
+                                                         report.curves.size(), report.curves.size() == 1 ? "" : "s"));
+        return kInterrupted;
+    }
     return a.strict && broken > 0 ? 1 : 0;
 }
 

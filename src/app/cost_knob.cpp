@@ -2,12 +2,14 @@
 
 #include "app/cost_variant.h"
 #include "app/errors.h"
+#include "app/interrupt.h"
 #include "app/stats.h"
 #include "image/display.h"
 #include "image/files.h"
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <set>
 
 namespace lightbench {
 namespace {
@@ -32,9 +34,12 @@ CostCurve planned_curve(const PlannedKnob& planned) {
     curve.reference = knob.reference;
     curve.reference_image = image_of(knob.name, "reference");
     curve.reference_command = render_command(planned.reference_texts[0], curve.reference_image);
+    std::set<std::string> names{curve.reference_image};
     for (const std::string& value : planned.values) {
         CostPoint point;
         point.value = value, point.image = image_of(knob.name, value);
+        for (int n = 2; !names.insert(point.image).second; ++n) // "2e+1" and "2e-1"
+            point.image = image_of(knob.name, fmt::format("{}--{}", value, n));
         point.options = with_value(knob, value, planned.base);
         for (const char* flag : {"SCENE", "--quiet", "--progress"}) point.options.erase(flag);
         point.command = render_command(with_value(knob, value, planned.base), point.image);
@@ -62,27 +67,47 @@ References render_references(const PlannedKnob& planned, const KnobRun& run) {
 }
 
 void write_picture(const KnobRun& run, const std::string& image, const ImageF& radiance, float exposure) {
-    write_png((std::filesystem::path(run.folder) / image).string(), display(radiance, exposure));
+    begin_report(run.folder);
+    write_png((run.folder.path / image).string(), display(radiance, exposure));
+}
+
+// Typed options that a value changes or takes back.
+std::vector<std::string> overridden_options(const PlannedKnob& planned, const OptionTexts& typed) {
+    std::set<std::string> flags;
+    for (const std::string& value : planned.values) {
+        const OptionTexts turned = with_value(*planned.knob, value, planned.base);
+        for (const auto& [flag, text] : typed)
+            if (const auto now = turned.find(flag); now == turned.end() || now->second != text) flags.insert(flag);
+    }
+    return {flags.begin(), flags.end()};
+}
+
+// A problem of a value would be told of the references too, in numbers that nobody typed.
+void plan_references(PlannedKnob& planned, const std::string& where, Problems& problems) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        planned.reference_texts[i] = planned.base;
+        planned.knob->refer(planned.reference_texts[i], planned.values, i == 1);
+        planned.references[i] = parse_variant(planned.reference_texts[i], fmt::format("{}, its reference", where), problems);
+    }
 }
 
 } // namespace
 
 PlannedKnob plan_knob(const KnobUse& use, const Scene& scene, OptionTexts base, Problems& problems) {
     const Knob& knob = *use.knob;
+    const OptionTexts typed = base;
+    const std::size_t before = problems.size();
     const std::string where = fmt::format("--knob {}", knob.name);
     const auto method = base.find("--method");
     if (!knob.method.empty() && method != base.end() && method->second != knob.method)
         problems.push_back({where, 0, 0, fmt::format("belongs to --method {}, but --method is {}", knob.method, method->second)});
     if (!knob.method.empty()) base.insert_or_assign("--method", std::string(knob.method));
     if (knob.base) knob.base(base, scene);
-    PlannedKnob planned{&knob, base, use.values.empty() ? default_values(knob, scene) : use.values, {}, {}, {}};
+    PlannedKnob planned{&knob, base, use.values.empty() ? default_values(knob, scene) : use.values, {}, {}, {}, {}};
     for (const std::string& value : planned.values)
         planned.variants.push_back(parse_variant(with_value(knob, value, base), fmt::format("{}={}", where, value), problems));
-    for (std::size_t i = 0; i < 2; ++i) {
-        planned.reference_texts[i] = base;
-        knob.refer(planned.reference_texts[i], planned.values, i == 1);
-        planned.references[i] = parse_variant(planned.reference_texts[i], fmt::format("{}, its reference", where), problems);
-    }
+    if (problems.size() == before) plan_references(planned, where, problems);
+    planned.overridden = overridden_options(planned, typed);
     return planned;
 }
 
@@ -90,13 +115,14 @@ Swept measure_knob(const PlannedKnob& planned, const KnobRun& run) {
     const float exposure = planned.references[0].request.exposure;
     const CostCurve curve = planned_curve(planned);
     const References references = render_references(planned, run);
-    write_picture(run, curve.reference_image, references.first, exposure);
+    if (Interrupt::came()) return {curve, 0, true};
     std::vector<CostVariant> variants;
     for (const SceneOptions& options : planned.variants) {
         variants.emplace_back(run.device, run.scene, options);
         check_method(variants.back(), *planned.knob, options);
     }
     if (!variants.empty()) run.messages.fallbacks(variants.front().plan());
+    write_picture(run, curve.reference_image, references.first, exposure);
     const Stopwatch watch;
     const SweepRunner runner{.run = [&](std::size_t i) { return variants[i].run(); },
                              .take_picture =
@@ -105,8 +131,11 @@ Swept measure_knob(const PlannedKnob& planned, const KnobRun& run) {
                                          fmt::format("{}: {} of {}, {}", planned.knob->name, i + 1, variants.size(), planned.values[i]));
                                      write_picture(run, curve.points[i].image, rendering.radiance, exposure);
                                  },
-                             .wall = [&] { return watch.milliseconds(); }};
-    return sweep(curve, *planned.knob, references, runner, run.limits, exposure);
+                             .wall = [&] { return watch.milliseconds(); },
+                             .stop = Interrupt::came};
+    Swept swept = sweep(curve, *planned.knob, references, runner, run.limits, exposure);
+    if (swept.stopped) remove_pictures(curve, run.folder);
+    return swept;
 }
 
 } // namespace lightbench

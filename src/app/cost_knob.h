@@ -1,6 +1,7 @@
 // One knob of `lightbench cost`, from its values to a measured curve with its pictures on disk.
 #pragma once
 
+#include "app/cost_folder.h"
 #include "app/messages.h"
 #include "app/options.h"
 #include "measure/sweep.h"
@@ -16,6 +17,7 @@ struct PlannedKnob {
     std::vector<SceneOptions> variants; // one a value
     std::array<OptionTexts, 2> reference_texts;
     std::array<SceneOptions, 2> references;
+    std::vector<std::string> overridden; // typed options in whose place a value puts its own
 };
 
 // All problems of the values, before anything is rendered. `base`: the user's options and the size of the pictures.
@@ -24,12 +26,12 @@ PlannedKnob plan_knob(const KnobUse& use, const Scene& scene, OptionTexts base, 
 struct KnobRun {
     gpu::Device& device;
     const Scene& scene;
-    std::string folder; // of the report; images/ is there
+    ReportFolder& folder;
     RoundLimits limits;
     Messages messages;
 };
 
-// Renders, measures, writes the pictures. Throws UserError, gpu::EnvironmentError, FileError.
+// Renders, measures, writes the pictures; an Interrupt ends it early, and takes them away if nothing was measured. Throws UserError, gpu::EnvironmentError, FileError.
 Swept measure_knob(const PlannedKnob& planned, const KnobRun& run);
 
 } // namespace lightbench

@@ -1,17 +1,33 @@
 #include "app/cost_table.h"
 
 #include "measure/knobs.h"
+#include "measure/report_data.h"
+
+#include <cmath>
 
 #include <fmt/format.h>
 
 namespace lightbench {
 namespace {
 
-std::string point_line(const CostPoint& point, const std::string& metric) {
-    std::string line = fmt::format("  {:<18}{:>10.3f}  ({:.3f} to {:.3f}, {} run{})", point.value, point.device_ms, point.q1_ms,
-                                   point.q3_ms, point.runs, point.runs == 1 ? "" : "s");
-    line = fmt::format("{:<64}", line);
-    for (const auto& [name, error] : point.errors) line += fmt::format("{:>12.4g}", error);
+// In the order of `metrics`; a dash where there is none.
+std::string cells_of(const Errors& errors, const std::vector<std::string>& metrics) {
+    std::string cells;
+    for (const std::string& metric : metrics) {
+        const auto error = errors.find(metric);
+        cells += error == errors.end() ? fmt::format("{:>12}", "-") : fmt::format("{:>12.4g}", error->second);
+    }
+    return cells;
+}
+
+std::string time_of(const CostPoint& point) {
+    if (!std::isfinite(point.device_ms)) return fmt::format("{:>10}  ({} runs)", "-", point.runs);
+    if (point.runs == 1) return fmt::format("{:>10.3f}  (1 run)", point.device_ms);
+    return fmt::format("{:>10.3f}  ({:.3f} to {:.3f}, {} runs)", point.device_ms, point.q1_ms, point.q3_ms, point.runs);
+}
+
+std::string point_line(const CostPoint& point, const std::string& metric, const std::vector<std::string>& metrics) {
+    std::string line = fmt::format("{:<64}", fmt::format("  {:<18}{}", point.value, time_of(point))) + cells_of(point.errors, metrics);
     if (point.pareto.contains(metric)) line += "  front";
     if (!point.settled) line += "  unsettled";
     return line + (point.note.empty() ? "\n" : fmt::format("  {}\n", point.note));
@@ -42,15 +58,12 @@ std::string knob_list() {
 std::string curve_table(const CostCurve& curve) {
     std::string text = fmt::format("{}: {}\n  reference: {}\n", curve.knob, curve.meaning, curve.reference);
     std::string head = fmt::format("{:<64}", fmt::format("  {:<18}{:>10}  (quartiles)", "value", "ms"));
-    if (!curve.points.empty())
-        for (const auto& [metric, error] : curve.points.front().errors) head += fmt::format("{:>12}", metric.substr(0, 11));
+    const std::vector<std::string> metrics = metrics_of(curve);
+    for (const std::string& metric : metrics) head += fmt::format("{:>12}", metric.substr(0, 11));
     text += head + "\n";
-    for (const CostPoint& point : curve.points) text += point_line(point, curve.metric);
-    if (!curve.reference_error.empty()) {
-        text += fmt::format("{:<64}", "  uncertainty of the reference");
-        for (const auto& [metric, error] : curve.reference_error) text += fmt::format("{:>12.4g}", error);
-        text += "\n";
-    }
+    for (const CostPoint& point : curve.points) text += point_line(point, curve.metric, metrics);
+    if (!curve.reference_error.empty())
+        text += fmt::format("{:<64}{}\n", "  uncertainty of the reference", cells_of(curve.reference_error, metrics));
     for (const Slope& slope : curve.slopes) text += slope_line(slope);
     for (const std::string& note : curve.notes) text += fmt::format("  {}\n", note);
     return text + "\n";

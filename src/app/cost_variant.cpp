@@ -1,5 +1,7 @@
 #include "app/cost_variant.h"
 
+#include "app/interrupt.h"
+
 #include <fmt/format.h>
 
 namespace lightbench {
@@ -15,10 +17,9 @@ CostVariant::CostVariant(gpu::Device& device, const Scene& scene, const SceneOpt
 Rendering CostVariant::run() {
     RenderOptions options;
     options.anew = true;
+    options.stop = Interrupt::came;
     RenderOutput output = renderer_->render(prepared_->view, options);
-    Rendering rendering{std::move(output.radiance.value()), output.device_milliseconds, std::nullopt};
-    if (output.radiosity && prepared_->plan.radiosity.solver == Solver::full) rendering.closure = output.radiosity->closure_error;
-    return rendering;
+    return {std::move(output.radiance.value()), output.device_milliseconds};
 }
 
 SceneOptions parse_variant(const OptionTexts& texts, const std::string& where, Problems& problems) {

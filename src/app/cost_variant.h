@@ -12,7 +12,7 @@ class CostVariant {
   public:
     // `options` are understood: parse_scene_options() found no problem. The device outlives it. Throws UserError.
     CostVariant(gpu::Device& device, const Scene& scene, const SceneOptions& options);
-    Rendering run(); // from the beginning, whatever was rendered before
+    Rendering run(); // from the beginning, whatever was rendered before; ends early, with any picture, once an Interrupt came
     const Plan& plan() const { return prepared_->plan; }
 
   private:

@@ -3,6 +3,7 @@
 
 #include "app/table.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -12,14 +13,14 @@ namespace {
 using kernels::Form, kernels::PairFinding;
 using nlohmann::ordered_json;
 
-// Times the stable form's cost; 0 where that is lost in the noise of the empty loop.
+// Times the stable form's cost; 0 where one of the two is lost in the noise of the empty loop.
 double ratio(const PairFinding& finding, const Form& form) {
     const double stable = finding.forms.front().cost.median;
-    return stable > 0 ? form.cost.median / stable : 0;
+    return stable > 0 && form.cost.median > 0 ? form.cost.median / stable : 0; // false for NaN
 }
 
 // lacking: why the form was not run, the keys after it are absent then; wrong: share of inputs; nanoseconds: a call, median and quartiles;
-// ratio: of the median to the stable form's, null where that is lost in noise.
+// ratio: of the median to the stable form's; null where they are lost in noise.
 ordered_json json_of(const PairFinding& finding, const Form& form) {
     if (!form.lacking.empty()) return {{"form", form.name}, {"lacking", form.lacking}};
     const double times = ratio(finding, form);
@@ -44,12 +45,13 @@ std::vector<std::string> cells_of(const PairFinding& finding, const Form& form) 
     const std::string name = fmt::format("{}: {}", finding.pair.name, form.name);
     if (!form.lacking.empty()) return {name, "-", "-", "-", "-", "-", "-", form.lacking};
     const double times = ratio(finding, form);
+    const bool lost = std::isnan(form.cost.median);
     return {name,
             fmt::format("{:.2g}", form.errors.relative),
             finding.pair.distance ? "-" : fmt::format("{:.3g}", form.errors.ulp),
             fmt::format("{:.2f} %", 100 * form.errors.wrong),
-            fmt::format("{:.3g}", form.cost.median),
-            fmt::format("{:.3g} to {:.3g}", form.cost.q1, form.cost.q3),
+            lost ? "lost" : fmt::format("{:.3g}", form.cost.median),
+            lost ? "-" : fmt::format("{:.3g} to {:.3g}", form.cost.q1, form.cost.q3),
             times > 0 ? fmt::format("{:.2f}", times) : "-",
             &form == &finding.forms.front() ? finding.pair.stable : finding.pair.naive};
 }
@@ -61,14 +63,16 @@ void print_text(const std::vector<PairFinding>& findings, const gpu::DeviceInfo&
     fmt::print("{}, {}\n{}", device.name, device.version, aligned(table));
     for (const PairFinding& finding : findings) fmt::print("{}: {} inputs, {}\n", finding.pair.name, finding.inputs, finding.pair.domain);
     fmt::print("relative, ulp: the worst of results that are numbers as expected; of decisions, how far the worst wrong one is from its "
-               "threshold\nwrong: not finite, a hit or a miss or a decision that is wrong; cost: times that of the stable formula\n");
+               "threshold\nwrong: not finite, a hit or a miss or a decision that is wrong; cost: times that of the stable formula; lost: "
+               "as fast as an empty "
+               "loop, to its noise\n");
 }
 
 } // namespace
 
 void print_pairs(gpu::Device& device, const std::vector<kernels::Pair>& pairs, bool quick, bool json) {
     const kernels::PairLimits usual,
-        limits = quick ? kernels::PairLimits{1u << 12, 1u << 12, 0.2, {.most = 6, .milliseconds = 500}} : usual;
+        limits = quick ? kernels::PairLimits{1u << 12, 1u << 12, 0.2, {.most = kFirstLook, .milliseconds = 500}} : usual;
     std::vector<PairFinding> findings;
     for (const kernels::Pair& pair : pairs) findings.push_back(kernels::measure_pair(device, pair, limits));
     if (!json) return print_text(findings, device.info());

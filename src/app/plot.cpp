@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <memory>
+#include <set>
 
 namespace lightbench {
 namespace {
@@ -21,7 +22,8 @@ struct PlotArguments {
 std::string range_of(const PlotParameter& p) {
     if (!p.words.empty()) return fmt::format("{}: one of {}", p.usual, fmt::join(p.words, ", "));
     const std::string many = p.most > 1 ? fmt::format(", up to {} with commas between", p.most) : "";
-    return fmt::format("{}, {} from {:g} to {:g}{}", p.usual, p.whole ? "whole" : "any", p.min, p.max, many);
+    return fmt::format("{}, {} from {:g} to {:g}{}{}", p.usual, p.whole ? "whole" : "any", p.min, p.max, many,
+                       p.only.empty() ? "" : fmt::format("; with {}", p.only));
 }
 
 void list_kinds() {
@@ -44,6 +46,10 @@ void plot(const PlotArguments& arguments) {
     for (const std::string& output : arguments.outputs)
         if (const std::string extension = extension_of(output); extension != ".svg" && extension != ".csv")
             problems.push_back({"-o", 0, 0, fmt::format("\"{}\" must end in .svg or .csv", output)});
+    std::set<std::filesystem::path> names;
+    for (const std::string& output : arguments.outputs)
+        if (!names.insert(std::filesystem::absolute(output).lexically_normal()).second)
+            problems.push_back({"-o", 0, 0, fmt::format("\"{}\" is there twice; once is right", output)});
     const NamedTexts parameters = split_parameters(arguments.parameters, problems);
     std::variant<Plot, Problems> made = Problems{};
     if (!arguments.kind.empty()) made = make_plot(arguments.kind, parameters);

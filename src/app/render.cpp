@@ -160,6 +160,24 @@ void render_frames(Run& run, Scene& scene) {
     }
 }
 
+// Read when it is first asked for.
+struct LoadedScene {
+    std::optional<Scene> scene;
+    double milliseconds = 0;
+};
+
+Scene& load(LoadedScene& loaded, const Given& given) {
+    if (loaded.scene) return *loaded.scene;
+    const Stopwatch watch;
+    loaded.scene = load_or_throw(given.find("SCENE")->second, given.contains("--allow-outside"));
+    loaded.milliseconds = watch.milliseconds();
+    return *loaded.scene;
+}
+
+glm::uvec2 film_of(const Scene& scene) {
+    return scene.film.value_or(Plan{}.size);
+}
+
 void tell(const Messages& messages, const BudgetChoice& choice) {
     messages.say(choice.sentence);
     if (!choice.measured_for.empty()) messages.say("warning: --budget: " + choice.measured_for);
@@ -169,14 +187,14 @@ void tell(const Messages& messages, const BudgetChoice& choice) {
 int render(const RenderArguments& arguments) {
     Given given = arguments.given;
     std::optional<BudgetChoice> choice;
-    if (arguments.budget.wanted()) choice = apply_budget(arguments.budget, given);
+    LoadedScene loaded;
+    if (arguments.budget.wanted()) choice = apply_budget(arguments.budget, given, [&] { return film_of(load(loaded, given)); });
     const SceneOptions options = check_arguments(arguments, given);
     Run run{options, arguments.output, arguments.spirv, {options.quiet, options.progress}, {}, 0, false, choice};
     if (choice) tell(run.messages, *choice);
     run.messages.step("reading " + options.scene.string());
-    const Stopwatch load;
-    Scene scene = load_or_throw(options.scene, options.allow_outside);
-    run.load_ms = load.milliseconds();
+    Scene& scene = load(loaded, given);
+    run.load_ms = loaded.milliseconds;
     options.frames ? render_frames(run, scene) : render_frame(run, scene, std::nullopt, true);
     close_and_check(std::move(*run.device));
     return run.interrupted ? kInterrupted : 0;
@@ -193,9 +211,14 @@ void add_render(CLI::App& app, int& exit_code) {
         ->type_name("FILE");
     sub->add_option("--spirv", arguments->spirv, "compiled entry points in place of the program's own: DIR/raster/surface.frag.spv ...")
         ->type_name("DIR");
-    sub->add_option("--budget", arguments->budget.budget, "the most accurate setting that takes no longer on the device, by --cost")
+    sub->add_option_function<std::string>(
+           "--budget", [arguments](const std::string& text) { arguments->budget.budget = text; },
+           "the most accurate setting that takes no longer on the device, by --cost")
         ->type_name("TIME");
-    sub->add_option("--max-error", arguments->budget.max_error, "the cheapest setting that errs no more, by --cost")->type_name("X");
+    sub->add_option_function<std::string>(
+           "--max-error", [arguments](const std::string& text) { arguments->budget.max_error = text; },
+           "the cheapest setting that errs no more, by --cost")
+        ->type_name("X");
     sub->add_option("--metric", arguments->budget.metric, "of that error; default the knob's own")->type_name("NAME");
     sub->add_option("--cost", arguments->budget.cost, "the cost.json of lightbench cost")->type_name("FILE");
     sub->add_option("--knob", arguments->budget.knob, "of several in --cost the one to turn")->type_name("NAME");

@@ -24,6 +24,18 @@ void mark_non_finite(FlipMap& map, const AnyImage& picture) {
     }
 }
 
+// Of a linear picture beside a displayed one: what is not finite is displayed as black, which the other may hold too.
+void add_non_finite(Metrics& m, const AnyImage& reference, const AnyImage& test, const Image8& shown_reference, const Image8& shown_test) {
+    const auto *a = std::get_if<ImageF>(&reference), *b = std::get_if<ImageF>(&test);
+    for (std::size_t i = 0; i < shown_reference.rgba.size(); i += 4) {
+        const bool lost_a = a && !finite_color(&a->rgba[i]), lost_b = b && !finite_color(&b->rgba[i]);
+        const bool equal = std::equal(&shown_reference.rgba[i], &shown_reference.rgba[i] + 3, &shown_test.rgba[i]);
+        m.non_finite_reference += lost_a, m.non_finite_test += lost_b;
+        m.differing += (lost_a || lost_b) && equal;
+    }
+    spoil_if_non_finite(m);
+}
+
 // Green 2011, "A colour scheme for the display of astronomical intensity images", eq. 2: perceived brightness rises with `t` while the
 // hue turns; start 0.5, 1.5 turns backwards, saturation 1, gamma 1.
 std::array<std::uint8_t, 3> cubehelix(double t) {
@@ -42,8 +54,7 @@ Comparison compare(const AnyImage& reference, const AnyImage& test) {
     Comparison result;
     result.space = a && b ? "linear" : "display";
     result.metrics = a && b ? metrics(*a, *b) : metrics(shown_reference, shown_test);
-    if (a) result.metrics.non_finite_reference = count_non_finite(*a);
-    if (b) result.metrics.non_finite_test = count_non_finite(*b);
+    if (!(a && b)) add_non_finite(result.metrics, reference, test, shown_reference, shown_test);
     result.flip_map = flip(shown_reference, shown_test);
     mark_non_finite(result.flip_map, reference);
     mark_non_finite(result.flip_map, test);

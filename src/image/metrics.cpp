@@ -11,6 +11,8 @@
 namespace lightbench {
 namespace {
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 bool finite(const float* p) {
     return finite_color(p);
 }
@@ -28,28 +30,35 @@ template <class Image> Metrics measure(const Image& reference, const Image& test
     check_same_size(reference.width, reference.height, test.width, test.height);
     Metrics result;
     double squares = 0;
-    std::size_t channels = 0;
     for (std::size_t i = 0; i < reference.rgba.size(); i += 4) {
         const auto *a = &reference.rgba[i], *b = &test.rgba[i];
         result.non_finite_reference += !finite(a);
         result.non_finite_test += !finite(b);
-        if (!finite(a) || !finite(b)) continue;
+        if (!finite(a) || !finite(b)) {
+            ++result.differing;
+            continue;
+        }
         double largest = 0;
         for (int c = 0; c < 3; ++c) {
             double d = std::abs(value(b[c]) - value(a[c]));
             squares += d * d;
             largest = std::max(largest, d);
         }
-        channels += 3;
         result.max = std::max(result.max, largest);
         result.differing += largest > 0;
     }
-    result.rmse = channels == 0 ? 0.0 : std::sqrt(squares / static_cast<double>(channels));
-    result.psnr = result.rmse == 0 ? std::numeric_limits<double>::infinity() : -20.0 * std::log10(result.rmse);
+    result.rmse = reference.rgba.empty() ? 0.0 : std::sqrt(squares / (0.75 * static_cast<double>(reference.rgba.size())));
+    result.psnr = result.rmse == 0 ? kInfinite : -20.0 * std::log10(result.rmse);
+    spoil_if_non_finite(result);
     return result;
 }
 
 } // namespace
+
+void spoil_if_non_finite(Metrics& metrics) {
+    if (metrics.non_finite_reference + metrics.non_finite_test == 0) return;
+    metrics.rmse = metrics.max = kInfinite, metrics.psnr = -kInfinite;
+}
 
 void check_same_size(unsigned width_a, unsigned height_a, unsigned width_b, unsigned height_b) {
     if (width_a == width_b && height_a == height_b) return;

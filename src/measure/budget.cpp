@@ -8,7 +8,7 @@ namespace lightbench {
 namespace {
 
 double error_of(const CostPoint& point, const Wish& wish) {
-    return point.errors.find(wish.metric)->second;
+    return point.errors.at(wish.metric); // what is on the front of a metric has it
 }
 
 bool is_near(const CostPoint& point, const Wish& wish) {
@@ -24,7 +24,7 @@ bool is_fast(const CostPoint& point, const Wish& wish) {
 // The front runs from the fastest to the nearest: what is fast enough is its beginning, what is near enough its end.
 Choice choose(const CostCurve& curve, const Wish& wish) {
     const std::vector<std::size_t> front = front_of(curve.points, wish.metric);
-    Choice choice{nullptr, false, front.size()};
+    Choice choice{nullptr, false, false, front.size()};
     if (front.empty()) return choice;
     const auto at = [&](std::size_t i) { return &curve.points[i]; };
     if (wish.error) {
@@ -34,7 +34,8 @@ Choice choose(const CostCurve& curve, const Wish& wish) {
         const auto slow = std::ranges::find_if(front, [&](std::size_t i) { return !is_fast(*at(i), wish); });
         choice.point = at(slow == front.begin() ? front.front() : *(slow - 1));
     }
-    choice.fits = is_near(*choice.point, wish) && is_fast(*choice.point, wish);
+    choice.near = is_near(*choice.point, wish);
+    choice.fits = choice.near && is_fast(*choice.point, wish);
     return choice;
 }
 

@@ -15,6 +15,7 @@ struct Wish {
 struct Choice {
     const CostPoint* point = nullptr; // of the curve; null: no point has the metric
     bool fits = false;                // else the nearest offer: the fastest of what is near enough, or the nearest of what is fast enough
+    bool near = false;                // its error is what was wished; of a choice that does not fit: time is what is missing
     std::size_t front = 0;            // points on it
 };
 

@@ -1,9 +1,38 @@
 // Findings about pairs as the data that cost reports are made of.
 #include "measure/function_curves.h"
 
+#include "measure/analysis.h"
+#include "measure/pareto.h"
+
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace lightbench {
+
+namespace {
+
+// The worst of the results that are numbers as expected says nothing of a form whose others are wrong where the stable form is right. Of
+// decisions it is the wrong ones that are measured, and they have no ulp.
+Errors errors_of(const kernels::Form& form, const kernels::PairFinding& finding) {
+    const bool wrong = form.errors.wrong > 0 && finding.forms.front().errors.wrong == 0;
+    if (finding.pair.distance) return {{"relative", form.errors.relative}, {"wrong", form.errors.wrong}};
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    return {
+        {"relative", wrong ? kInfinite : form.errors.relative}, {"ulp", wrong ? kInfinite : form.errors.ulp}, {"wrong", form.errors.wrong}};
+}
+
+std::string note_of(const kernels::Form& form) {
+    std::string note;
+    if (form.errors.wrong > 0)
+        note = fmt::format("{:.3g} % of the results are not finite, or wrong altogether; of the others the worst is off by {:.3g} of it",
+                           100 * form.errors.wrong, form.errors.relative);
+    if (std::isnan(form.cost.median))
+        note += fmt::format("{}its time is lost in the noise of the loop around it", note.empty() ? "" : "; ");
+    return note;
+}
+
+} // namespace
 
 CostCurve curve_of(const kernels::PairFinding& finding) {
     const kernels::Pair& pair = finding.pair;
@@ -19,20 +48,24 @@ CostCurve curve_of(const kernels::PairFinding& finding) {
         }
         CostPoint point;
         point.value = form.name;
-        point.errors = {{"relative", form.errors.relative}, {"ulp", form.errors.ulp}, {"wrong", form.errors.wrong}};
+        point.errors = errors_of(form, finding);
         point.device_ms = form.cost.median, point.q1_ms = form.cost.q1, point.q3_ms = form.cost.q3; // nanoseconds a call are that
         point.runs = form.cost.runs, point.settled = form.cost.settled;
         point.command = fmt::format("lightbench numerics --pairs --only \"{}\"", pair.name);
-        if (form.errors.wrong > 0)
-            point.note = fmt::format("{:.3g} % of the results are not finite, or wrong altogether", 100 * form.errors.wrong);
+        point.note = note_of(form);
         curve.points.push_back(point);
     }
+    mark_fronts(curve.points);
+    note_unsettled(curve);
     return curve;
 }
 
-std::vector<CostCurve> function_curves(gpu::Device& device, const kernels::PairLimits& limits) {
+std::vector<CostCurve> function_curves(gpu::Device& device, const kernels::PairLimits& limits, const std::function<bool()>& stop) {
     std::vector<CostCurve> curves;
-    for (const kernels::Pair& pair : kernels::all_pairs()) curves.push_back(curve_of(kernels::measure_pair(device, pair, limits)));
+    for (const kernels::Pair& pair : kernels::all_pairs()) {
+        if (stop && stop()) break;
+        curves.push_back(curve_of(kernels::measure_pair(device, pair, limits)));
+    }
     return curves;
 }
 

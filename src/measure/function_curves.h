@@ -10,8 +10,10 @@
 namespace lightbench {
 
 // One curve a pair: knob "sphere formula", points "stable", "naive", "naive in float64" where the device has it.
-// Errors: "relative", "ulp", and "wrong": the share of inputs whose result is not finite, or a hit, miss or decision that is wrong.
-std::vector<CostCurve> function_curves(gpu::Device& device, const kernels::PairLimits& limits = {});
+// Errors: "relative", "ulp" (not of decisions), and "wrong": the share of inputs whose result is not finite, or a hit, miss or decision that is
+// wrong. The first two are infinite for a form that is wrong where the stable one is not. A time that is lost in noise is NaN.
+// `stop`: asked before each pair; true: no further one.
+std::vector<CostCurve> function_curves(gpu::Device& device, const kernels::PairLimits& limits = {}, const std::function<bool()>& stop = {});
 
 CostCurve curve_of(const kernels::PairFinding& finding);
 

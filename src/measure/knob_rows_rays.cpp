@@ -7,25 +7,46 @@
 namespace lightbench {
 namespace {
 
-// A tree that branches is kept finite by the cut-off, one between facing mirrors by the depth.
-void refer_tree(OptionTexts& options, std::span<const std::string>, bool again) {
-    set(options, "--depth", again ? "48" : "64");
-    set(options, "--cutoff", again ? "0.001" : "0.0005");
+// As typed, above 0; `usual` if it was not.
+double typed_number(const OptionTexts& options, std::string_view flag, double usual) {
+    const auto typed = options.find(flag);
+    return typed == options.end() ? usual : number_of(typed->second).value_or(usual);
 }
 
-constexpr std::string_view kTree = "64 levels and a cut-off of 0.0005, the same samples; its uncertainty: 48 levels and a cut-off of 0.001";
+// A tree that branches is kept finite by the cut-off, one between facing mirrors by the depth.
+constexpr double kLevels = 64, kCutoff = 0.0005;
+
+void refer_tree(OptionTexts& options, double levels, double cutoff, bool again) {
+    set(options, "--depth", fmt::format("{:.0f}", again ? std::floor(0.75 * levels) : levels));
+    set(options, "--cutoff", fmt::format("{:g}", again ? 2 * cutoff : cutoff));
+}
+
+void refer_depth(OptionTexts& options, std::span<const std::string> values, bool again) {
+    double levels = kLevels;
+    for (const std::string& value : values) levels = std::max(levels, 2 * number_of(value).value_or(0));
+    refer_tree(options, std::min(levels, 255.0), std::min(typed_number(options, "--cutoff", kCutoff), kCutoff), again);
+}
+
+// A quarter, so that the second reference is not the finest point.
+void refer_cutoff(OptionTexts& options, std::span<const std::string> values, bool again) {
+    double cutoff = kCutoff;
+    for (const std::string& value : values) cutoff = std::min(cutoff, number_of(value).value_or(1) / 4);
+    refer_tree(options, std::max(typed_number(options, "--depth", kLevels), kLevels), cutoff, again);
+}
 
 Knob depth() {
     return {.name = "depth",
             .meaning = "levels of the ray tree, the eye ray the first",
-            .values = "a whole number from 1 to 255",
-            .reference = kTree,
+            .values = "a whole number from 1 to 127",
+            .reference = "64 levels, or twice the deepest point's, and a cut-off of 0.0005 or the smaller one that was typed, the same "
+                         "samples; its uncertainty: three quarters of the levels and twice the cut-off",
             .method = "raytrace",
             .defaults = {"1", "2", "3", "4", "5", "6", "8", "10"},
-            .apply = [](std::string_view value, OptionTexts& options) { return apply_number(value, options, "--depth"); },
-            .refer = refer_tree,
+            .apply = [](std::string_view value,
+                        OptionTexts& options) { return apply_number(value, options, "--depth") && number_of(value) <= 127; },
+            .refer = refer_depth,
             .scale =
-                [](std::string_view v) {
+                [](std::string_view v, const OptionTexts&) {
                     return std::optional(Scale{"", number_of(v).value_or(1)});
                 },
             .axis = "levels"};
@@ -35,14 +56,15 @@ Knob cutoff() {
     return {.name = "cutoff",
             .meaning = "weight below which a ray is not sent",
             .values = "a weight above 0, at most 1",
-            .reference = kTree,
+            .reference = "64 levels, or more if so many were typed, and a cut-off of 0.0005, or a quarter of the finest point's, the same "
+                         "samples; its uncertainty: three quarters of the levels and twice the cut-off",
             .method = "raytrace",
             .defaults = {"0.5", "0.2", "0.1", "0.05", "0.02", "0.01", "0.005"},
             .base = [](OptionTexts& options, const Scene&) { set_if_absent(options, "--depth", "64"); },
             .apply = [](std::string_view value, OptionTexts& options) { return apply_number(value, options, "--cutoff"); },
-            .refer = refer_tree,
+            .refer = refer_cutoff,
             .scale =
-                [](std::string_view v) {
+                [](std::string_view v, const OptionTexts&) {
                     return std::optional(Scale{"", 1 / number_of(v).value_or(1)});
                 },
             .axis = "1 / cut-off"};

@@ -2,22 +2,48 @@
 #include "measure/knob_rows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace lightbench {
 namespace {
 
-// So many jittered samples that an edge is known to 1024^-0.75 = 1/180 of a step; rays cost more, 400 know it to 1/90.
-void refer_samples(OptionTexts& options, std::span<const std::string>, bool again) {
-    unset(options, {"--contrast", "--max-level"});
+constexpr double kMostSamples = 1024; // that --spp takes
+
+// The two that come first of these and are not the typed one.
+std::string another_seed(const OptionTexts& options, bool again) {
+    const auto typed = options.find("--seed");
+    const double own = typed == options.end() ? 0 : number_of(typed->second).value_or(0);
+    std::vector<double> seeds{10001, 20002, 30003};
+    std::erase(seeds, own);
+    return fmt::format("{:.0f}", seeds[again ? 1 : 0]);
+}
+
+// So many jittered samples that an edge is known to 1024^-0.75 = 1/180 of a step; rays cost more, 400 know it to 1/90. Four times as many as
+// the finest point takes (`finest`, a square) leave a third of its error at least.
+void refer_jittered(OptionTexts& options, double finest, bool again) {
     const auto method = options.find("--method");
-    set(options, "--spp", method != options.end() && method->second == "raytrace" ? "400" : "1024");
+    const double usual = method != options.end() && method->second == "raytrace" ? 400 : kMostSamples;
+    set(options, "--seed", another_seed(options, again));
+    set(options, "--spp", fmt::format("{:.0f}", std::clamp(4 * finest, usual, kMostSamples)));
     set(options, "--sampling", "jittered");
-    set(options, "--seed", again ? "20002" : "10001");
+    unset(options, {"--contrast", "--max-level"});
+}
+
+double samples_of(std::string_view value) {
+    const auto [head, tail] = split_value(value);
+    return number_of(tail.empty() ? head : tail).value_or(1);
+}
+
+void refer_samples(OptionTexts& options, std::span<const std::string> values, bool again) {
+    double finest = 1;
+    for (const std::string& value : values) finest = std::max(finest, samples_of(value));
+    refer_jittered(options, finest, again);
 }
 
 constexpr std::string_view kReference =
-    "1024 jittered samples a pixel (rays: 400) of another seed, all else equal; its uncertainty: a third seed";
+    "1024 jittered samples a pixel (rays: 400, or four times the finest point's, 1024 at most) of another "
+    "seed, all else equal; its uncertainty: a third seed";
 
 bool apply_samples(std::string_view value, OptionTexts& options) {
     const auto [head, tail] = split_value(value);
@@ -33,10 +59,9 @@ bool apply_samples(std::string_view value, OptionTexts& options) {
     return true;
 }
 
-std::optional<Scale> scale_of_samples(std::string_view value) {
+std::optional<Scale> scale_of_samples(std::string_view value, const OptionTexts&) {
     const auto [head, tail] = split_value(value);
-    if (tail.empty()) return Scale{"", number_of(head).value_or(1)};
-    return Scale{std::string(head), number_of(tail).value_or(1)};
+    return Scale{tail.empty() ? "" : std::string(head), samples_of(value)};
 }
 
 Knob samples() {
@@ -54,7 +79,8 @@ Knob samples() {
         .slopes = {
             {"jittered", "rmse", -0.75,
              "Mitchell 1996, \"Consequences of Stratified Sampling in Graphics\": only cells that an edge crosses err, sqrt(N) of N (where "
-             "shading is smooth, errors fall faster)"},
+             "shading is smooth, errors fall faster)",
+             0.25},
             {"uniform", "rmse", std::nullopt,
              "of an edge: -0.5 if it runs along the grid, since all cells that it crosses err alike; towards -1 if it does not"}}};
 }
@@ -63,7 +89,8 @@ Knob filter() {
     return {.name = "filter",
             .meaning = "reconstruction: the mean over a pixel, or a Gaussian of that radius",
             .values = "box, or gaussian/R (R the radius in pixels, 1 to 16)",
-            .reference = "400 jittered samples a pixel under the box filter, of another seed: the mean over each pixel, from which a wider "
+            .reference = "400 jittered samples a pixel (or four times the points', 1024 at most) under the box filter, of another seed: "
+                         "the mean over each pixel, from which a wider "
                          "filter departs on "
                          "purpose; its uncertainty: a third seed",
             .method = "raytrace",
@@ -83,9 +110,10 @@ Knob filter() {
                     return head == "gaussian" && (tail.empty() || number_of(tail));
                 },
             .refer =
-                [](OptionTexts& options, std::span<const std::string> values, bool again) {
+                [](OptionTexts& options, std::span<const std::string>, bool again) {
+                    const auto spp = options.find("--spp");
+                    refer_jittered(options, spp == options.end() ? 1 : number_of(spp->second).value_or(1), again);
                     unset(options, {"--filter", "--filter-width"});
-                    refer_samples(options, values, again);
                 }};
 }
 
@@ -101,6 +129,18 @@ bool apply_contrast(std::string_view value, OptionTexts& options) {
     return tail.empty() || tail == "0" || number_of(tail);
 }
 
+// A pixel that is split to the last level has 4^level corners.
+void refer_contrast(OptionTexts& options, std::span<const std::string> values, bool again) {
+    double level = 0;
+    for (const std::string& value : values) {
+        OptionTexts of_point = options;
+        apply_contrast(value, of_point);
+        const auto typed = of_point.find("--max-level");
+        level = std::max(level, typed == of_point.end() ? 2 : number_of(typed->second).value_or(0));
+    }
+    refer_jittered(options, std::exp2(2 * std::min(level, 6.0)), again);
+}
+
 Knob contrast() {
     return {.name = "contrast",
             .meaning = "of adaptive sampling: the contrast above which a cell splits (red; green 0.8 of it, blue 1.6)",
@@ -114,9 +154,9 @@ Knob contrast() {
                     set_if_absent(options, "--max-level", "4");
                 },
             .apply = apply_contrast,
-            .refer = refer_samples,
+            .refer = refer_contrast,
             .scale =
-                [](std::string_view v) {
+                [](std::string_view v, const OptionTexts&) {
                     return std::optional(Scale{std::string(split_value(v).second), 1 / number_of(split_value(v).first).value_or(1)});
                 },
             .axis = "1 / threshold"};

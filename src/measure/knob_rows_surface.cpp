@@ -45,12 +45,12 @@ Knob shading() {
             .apply = apply_shading,
             .refer = refer_shading,
             .scale =
-                [](std::string_view v) {
+                [](std::string_view v, const OptionTexts&) {
                     return std::optional(Scale{std::string(split_value(v).first), std::exp2(level_of(v))});
                 },
             .axis = "pieces of an edge",
-            .slopes = {{"flat", "rmse", -1, "a constant in the place of a smooth function: first order in the length of an edge"},
-                       {"gouraud", "rmse", -2, "linear interpolation of a smooth function: second order in the length of an edge"}}};
+            .slopes = {{"flat", "rmse", -1, "a constant in the place of a smooth function: first order in the length of an edge", 0.3},
+                       {"gouraud", "rmse", -2, "linear interpolation of a smooth function: second order in the length of an edge", 0.5}}};
 }
 
 Knob model() {

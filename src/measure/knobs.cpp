@@ -7,7 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <set>
+#include <map>
 
 namespace lightbench {
 namespace {
@@ -32,18 +32,30 @@ std::vector<std::string> split_list(std::string_view text) {
 std::string unknown_name(std::string_view name) {
     std::vector<std::string_view> names;
     for (const Knob& knob : knobs()) names.push_back(knob.name);
+    names.push_back(kFunctionsKnob);
     if (const auto near = nearest_name(name, names)) return fmt::format("there is no knob \"{}\"; did you mean \"{}\"?", name, *near);
     return fmt::format("there is no knob \"{}\"; it must be one of {}", name, fmt::join(names, ", "));
 }
 
+// "2e+2" as "200": what is the same number has the same text.
+OptionTexts with_plain_numbers(OptionTexts options) {
+    for (auto& [flag, text] : options) {
+        const std::size_t after = text.rfind('=') + 1; // of "density=8"; 0 without one
+        if (const auto number = number_of(std::string_view(text).substr(after))) text = text.substr(0, after) + fmt::format("{}", *number);
+    }
+    return options;
+}
+
 std::string problem_of(const Knob& knob, const std::vector<std::string>& values) {
-    std::set<std::string_view> seen;
+    std::map<OptionTexts, std::string_view> seen;
     for (const std::string& value : values) {
-        OptionTexts ignored;
+        OptionTexts applied;
         if (value.empty()) return fmt::format("a value of {} is empty; it must be {}", knob.name, knob.values);
-        if (value.ends_with('/') || !knob.apply(value, ignored))
+        if (value.ends_with('/') || !knob.apply(value, applied))
             return fmt::format("\"{}\" is no value of {}; it must be {}", value, knob.name, knob.values);
-        if (!seen.insert(value).second) return fmt::format("{}: \"{}\" is there twice; once is enough", knob.name, value);
+        const auto [first, fresh] = seen.emplace(with_plain_numbers(applied), value);
+        if (!fresh && first->second == value) return fmt::format("{}: \"{}\" is there twice; once is enough", knob.name, value);
+        if (!fresh) return fmt::format("{}: \"{}\" and \"{}\" are the same; once is enough", knob.name, first->second, value);
     }
     return "";
 }
@@ -77,6 +89,7 @@ std::optional<KnobUse> parse_knob(std::string_view text, std::string& problem) {
     const std::size_t equals = text.find('=');
     const std::string_view name = text.substr(0, equals);
     const Knob* knob = find_knob(name);
+    if (name == kFunctionsKnob) return problem = fmt::format("{} has no values; the name alone is right", name), std::nullopt;
     if (!knob) return problem = unknown_name(name), std::nullopt;
     KnobUse use{knob, {}};
     if (equals != std::string_view::npos) use.values = split_list(text.substr(equals + 1));

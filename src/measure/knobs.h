@@ -2,6 +2,7 @@
 // values as the sweep, and every picture has a command that repeats it. Pure.
 #pragma once
 
+#include "measure/report.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -26,6 +27,8 @@ struct ExpectedSlope {
     std::string_view group, metric;
     std::optional<double> theory; // absent: no single number, and `why` says what is known
     std::string_view why;
+    double tolerance = 0;    // what is flatter by more is noted; 0: nothing is
+    bool everywhere = false; // it holds of every scene, both ways: what lies outside is a broken expectation
 };
 
 struct Knob {
@@ -43,10 +46,15 @@ struct Knob {
     bool (*apply)(std::string_view value, OptionTexts&) = nullptr;
     // From the options of the sweep to those of the reference; `again`: to those of a second one, which tells how sure the first is.
     void (*refer)(OptionTexts&, std::span<const std::string> values, bool again) = nullptr;
-    std::optional<Scale> (*scale)(std::string_view value) = nullptr; // null: values have no order
-    std::string_view axis = {};                                      // of Scale::x: "samples a pixel"
+    // Null: values have no order. `options`: of the point, with the value in them.
+    std::optional<Scale> (*scale)(std::string_view value, const OptionTexts& options) = nullptr;
+    Errors (*computed)(std::string_view value) = nullptr; // errors that need no picture; null: there are none
+    std::string_view axis = {};                           // of Scale::x: "samples a pixel"
     std::vector<ExpectedSlope> slopes = {};
 };
+
+// The one that has no pictures and no values: stable formulas against naive ones (function_curves.h). It is no row of the table.
+constexpr std::string_view kFunctionsKnob = "functions";
 
 std::span<const Knob> knobs();
 const Knob* find_knob(std::string_view name);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
+#include <set>
 
 namespace lightbench {
 namespace {
@@ -32,9 +33,9 @@ const PlotParameter kAttenuation[] = {{"d0", "0.5,1,2", 1e-6, 1e6, 4, false, "me
 const PlotParameter kFormFactor[] = {
     {"over", "resolution", 0, 0, 1, false, "what varies", {"resolution", "distance"}},
     {"side", "1", 1e-3, 1e3, 1, false, "meters, of the squares"},
-    {"distance", "1", 1e-3, 1e3, 1, false, "meters to the squares, where the resolution varies"},
-    {"resolution", "50", 2, 1024, 2, true, "pixels a side of the hemi-cube, where the distance varies; odd ones are rounded up"},
-    {"largest", "256", 16, 1024, 1, true, "largest resolution, where it varies"}};
+    {"distance", "1", 1e-3, 1e3, 1, false, "meters to the squares", {}, "over=resolution"},
+    {"resolution", "50", 2, 1024, 2, true, "pixels a side of the hemi-cube; odd ones are rounded up", {}, "over=distance", 2},
+    {"largest", "256", 16, 1024, 1, true, "largest resolution", {}, "over=resolution"}};
 
 const PlotKind kKinds[] = {
     {"brdf", "specular lobes of Phong beside Cook-Torrance with both distributions, in the plane of incidence", kBrdf, brdf_plot},
@@ -84,9 +85,29 @@ std::optional<std::string> read_argument(const PlotKind& kind, const std::pair<s
     const auto p = std::find_if(kind.parameters.begin(), kind.parameters.end(), [&](const PlotParameter& row) { return row.name == name; });
     if (p == kind.parameters.end()) return fmt::format("unknown parameter \"{}\"{}", name, suggestion(name, names_of(kind.parameters)));
     if (typed.contains(p->name)) return fmt::format("parameter \"{}\" is given twice; once is right", name);
-    const auto values = parse_values(*p, text);
+    auto values = parse_values(*p, text);
+    if (values && p->step > 0)
+        for (double& value : *values) value = p->step * std::ceil(value / p->step);
+    if (values && std::set<double>(values->begin(), values->end()).size() < values->size())
+        return fmt::format("parameter \"{}\" is \"{}\": two curves would be the same", name, text);
     typed[p->name] = values.value_or(std::vector<double>());
     return values ? std::nullopt : std::optional(fmt::format("parameter \"{}\" is \"{}\"; {}", name, text, wanted(*p)));
+}
+
+// "over=distance": the word that was typed there, or the usual one.
+bool is_met(const PlotKind& kind, std::string_view condition, const PlotValues& values) {
+    const std::string_view name = condition.substr(0, condition.find('=')), word = condition.substr(name.size() + 1);
+    const auto p = std::find_if(kind.parameters.begin(), kind.parameters.end(), [&](const PlotParameter& row) { return row.name == name; });
+    const auto& chosen = values.at(name);
+    return chosen.empty() || p->words[static_cast<std::size_t>(chosen[0])] == word;
+}
+
+// Parameters that were typed and mean nothing beside the others.
+void check_conditions(const PlotKind& kind, const PlotValues& typed, const PlotValues& values, const std::string& where,
+                      Problems& problems) {
+    for (const PlotParameter& p : kind.parameters)
+        if (typed.contains(p.name) && !p.only.empty() && !is_met(kind, p.only, values))
+            problems.push_back({where, 0, 0, fmt::format("parameter \"{}\" belongs to {}", p.name, p.only)});
 }
 
 } // namespace
@@ -104,10 +125,12 @@ std::variant<Plot, Problems> make_plot(std::string_view name, const std::vector<
     PlotValues values;
     for (const auto& argument : arguments)
         if (const auto text = read_argument(*kind, argument, values)) problems.push_back({where, 0, 0, *text});
+    const PlotValues typed = values;
     for (const PlotParameter& p : kind->parameters) values.try_emplace(p.name, *parse_values(p, p.usual));
     if (problems.empty() && values.contains("from") && values["from"][0] >= values["to"][0])
         problems.push_back(
             {where, 0, 0, fmt::format("from is {} and to is {}; from must be the smaller one", values["from"][0], values["to"][0])});
+    check_conditions(*kind, typed, values, where, problems);
     if (!problems.empty()) return problems;
     return kind->make(values);
 }

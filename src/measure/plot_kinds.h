@@ -20,6 +20,8 @@ struct PlotParameter {
     bool whole = false;                       // whole numbers only
     std::string_view meaning;                 // with its unit
     std::vector<std::string_view> words = {}; // one of these instead of a number; its value is its place
+    std::string_view only = {};               // "over=distance": the word of another parameter without which it means nothing
+    double step = 0;                          // values are rounded up to a multiple of it; 0: they stay
 };
 
 // Checked: as typed, else the usual ones.

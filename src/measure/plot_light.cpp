@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 #include <functional>
 #include <numbers>
+#include <set>
 
 namespace lightbench {
 namespace {
 
 using std::numbers::pi;
 
-constexpr int kSteps = 720; // a lobe or curve has one point more
+constexpr int kSteps = 720; // a curve has one point more, a lobe some more
 
 struct Reflectances {
     double s, p; // of the amplitudes across and in the plane of incidence, squared
@@ -50,18 +51,44 @@ double facet_factor(Distribution kind, double incidence, double view, double m, 
     return d * fresnel_mean(vh, index) * std::min({1 / nv, 2 * nh / vh, 2 * nh * nl / (vh * nv)});
 }
 
-// A lobe over all directions of view; its name says where it is largest.
-PlotLine lobe(const std::string& name, bool over_largest, const std::function<double(double)>& factor) {
-    PlotLine line;
-    glm::dvec2 top(0, -1);
-    for (int i = 0; i <= kSteps; ++i) {
-        const double degrees = -90 + 180.0 * i / kSteps;
-        line.points.emplace_back(degrees, factor(degrees * (pi / 180)));
-        if (line.points.back().y > top.y) top = line.points.back();
+// Even steps, and around the mirror direction ever smaller ones, down to 1e-5 degrees: an exponent of 1e6 is 0.07 wide, a slope of 1e-3 0.1.
+std::set<double> views_of(double mirror) {
+    std::set<double> views{mirror};
+    for (int i = 0; i <= kSteps; ++i) views.insert(-90 + 180.0 * i / kSteps);
+    for (int i = 0; i <= 120; ++i) {
+        const double off = 1e-5 * std::pow(10, i / 20.0);
+        for (const double view : {mirror - off, mirror + off})
+            if (std::abs(view) < 90) views.insert(view);
     }
+    return views;
+}
+
+// Between two views around the largest sample. Kiefer 1953, "Sequential minimax search for a maximum": the golden section.
+double largest_between(double low, double high, const std::function<double(double)>& f) {
+    constexpr double kGolden = 0.6180339887498949;
+    for (int i = 0; i < 60; ++i) {
+        const double a = high - kGolden * (high - low), b = low + kGolden * (high - low);
+        (f(a) < f(b) ? low : high) = f(a) < f(b) ? a : b;
+    }
+    return (low + high) / 2;
+}
+
+// A lobe over all directions of view; its name says where it is largest. `mirror`: degrees, where a narrow one is.
+PlotLine lobe(const std::string& name, bool over_largest, double mirror, const std::function<double(double)>& factor) {
+    const auto at = [&](double degrees) { return factor(degrees * (pi / 180)); };
+    std::set<double> views = views_of(mirror);
+    const auto best = std::ranges::max_element(views, {}, at);
+    const double top_view = *best;
+    const double low = best == views.begin() ? top_view : *std::prev(best),
+                 high = std::next(best) == views.end() ? top_view : *std::next(best);
+    const double found = largest_between(low, high, at);
+    glm::dvec2 top(top_view, at(top_view));
+    if (at(found) > top.y) top = {found, at(found)}, views.insert(found);
+    PlotLine line;
+    for (const double view : views) line.points.emplace_back(view, at(view));
     if (over_largest && top.y > 0)
         for (glm::dvec2& p : line.points) p.y /= top.y;
-    line.name = fmt::format("{}: largest {:.4g} at {:g}\u00b0", name, top.y, top.x);
+    line.name = fmt::format("{}: largest {:.4g} at {:.4g}\u00b0", name, top.y, top.x);
     return line;
 }
 
@@ -71,7 +98,7 @@ void add_lobes(Plot& plot, const PlotValues& values, double degrees, unsigned da
     const std::string light = values.at("incidence").size() > 1 ? fmt::format(", light {:g}\u00b0", degrees) : "";
     unsigned color = 0;
     const auto add = [&](const std::string& name, const std::function<double(double)>& factor) {
-        plot.lines.push_back(lobe(name + light, over_largest, factor));
+        plot.lines.push_back(lobe(name + light, over_largest, degrees, factor));
         plot.lines.back().color = ++color, plot.lines.back().dash = dash;
     };
     for (const double n : values.at("shininess"))

@@ -18,13 +18,6 @@ std::string command(const std::string& text) {
     return text.empty() ? "" : fmt::format("<code class=\"copy\">{}</code>", html_escaped(text));
 }
 
-// Points that did not settle and curves with notes: what a reader must not overlook.
-std::size_t warnings_of(const CostCurve& curve) {
-    std::size_t count = curve.notes.size();
-    for (const CostPoint& point : curve.points) count += point.settled ? 0 : 1;
-    return count;
-}
-
 std::string count_of(std::size_t n, const char* what) {
     return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
@@ -36,25 +29,21 @@ std::string head(const CostReport& report) {
     html += term("program", html_escaped(report.program)) + term("repeat it", command(report.command)) +
             "</dl>\n<nav aria-label=\"knobs\"><ul>\n";
     for (std::size_t i = 0; i < report.curves.size(); ++i) {
-        const std::size_t warnings = warnings_of(report.curves[i]);
+        const std::size_t warnings = report.curves[i].notes.size();
         html += fmt::format("<li><a href=\"#curve-{}\">{}</a>{}</li>\n", i, html_escaped(report.curves[i].knob),
                             warnings ? fmt::format(" <span class=\"flag\">\u26a0 {}</span>", count_of(warnings, "note")) : "");
     }
     return html +
            "</ul></nav>\n<p class=\"soft\">Times are those of the device, from its own timestamps: the median of interleaved runs, bars "
            "from the "
-           "first to the third quartile. A point is on the Pareto front if no other is both faster and nearer to the reference.</p>\n"
+           "first to the third quartile. A point is on the Pareto front if none on it is both faster and nearer to the reference; times "
+           "whose bars overlap are equal.</p>\n"
            "<noscript><p class=\"warning\">Without script the tables are here; charts and pictures are not.</p></noscript>\n</header>\n";
 }
 
 std::string warnings(const CostCurve& curve) {
     std::string items;
     for (const std::string& note : curve.notes) items += fmt::format("<li>{}</li>", html_escaped(note));
-    std::size_t restless = 0;
-    for (const CostPoint& point : curve.points) restless += point.settled ? 0 : 1;
-    if (restless > 0)
-        items +=
-            fmt::format("<li>{} did not settle: the median's 95 % interval is wider than 5 % of it.</li>", count_of(restless, "point"));
     return items.empty() ? "" : fmt::format("<div class=\"warning\" role=\"note\"><strong>\u26a0 Note</strong><ul>{}</ul></div>\n", items);
 }
 

@@ -1,5 +1,7 @@
 #include "measure/report_json.h"
 
+#include "measure/pareto.h"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -9,6 +11,8 @@ namespace lightbench {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr unsigned kMostPixels = 1u << 20; // along an edge: more than any device draws
 
 ordered_json json_of(double x) {
     return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
@@ -55,21 +59,44 @@ double number_or_nan(const ordered_json& j) {
     return j.is_null() ? std::numeric_limits<double>::quiet_NaN() : j.get<double>();
 }
 
+[[noreturn]] void refuse(const ordered_json& j, const std::string& name, const std::string& wanted) {
+    throw ReportError(fmt::format("is no report of lightbench cost: {} is {}; it must be {}", name, j.dump(), wanted));
+}
+
+// From 1 to `most`. (Of numbers that do not fit nlohmann's get<unsigned>() makes others.)
+unsigned whole(const ordered_json& object, const char* name, unsigned most) {
+    const ordered_json& j = object.at(name);
+    if (!j.is_number_unsigned() || j.get<std::uint64_t>() < 1 || j.get<std::uint64_t>() > most)
+        refuse(j, name, fmt::format("a whole number from 1 to {}", most));
+    return j.get<unsigned>();
+}
+
+double milliseconds(const ordered_json& point, const char* name) {
+    const ordered_json& j = point.at(name);
+    if (!j.is_null() && !(j.is_number() && j.get<double>() > 0 && std::isfinite(j.get<double>())))
+        refuse(j, name, "a time above 0, or null");
+    return number_or_nan(j);
+}
+
 Errors errors_of(const ordered_json& j) {
+    if (!j.is_object()) refuse(j, "errors", "an object: metrics and numbers");
     Errors errors;
-    for (const auto& [metric, error] : j.items()) errors[metric] = number_or_nan(error);
+    for (const auto& [metric, error] : j.items()) {
+        if (!error.is_null() && !(error.is_number() && error.get<double>() >= 0)) refuse(error, metric, "a number of at least 0, or null");
+        errors[metric] = number_or_nan(error);
+    }
     return errors;
 }
 
 CostPoint point_of(const ordered_json& j) {
     return {.value = j.at("value"),
             .errors = errors_of(j.at("errors")),
-            .device_ms = number_or_nan(j.at("device_ms")),
-            .q1_ms = number_or_nan(j.at("q1_ms")),
-            .q3_ms = number_or_nan(j.at("q3_ms")),
-            .runs = j.at("runs"),
+            .device_ms = milliseconds(j, "device_ms"),
+            .q1_ms = milliseconds(j, "q1_ms"),
+            .q3_ms = milliseconds(j, "q3_ms"),
+            .runs = whole(j, "runs", 1'000'000),
             .settled = j.at("settled"),
-            .pareto = j.at("pareto").get<std::set<std::string>>(),
+            .pareto = {},
             .image = j.at("image"),
             .command = j.at("command"),
             .options = j.at("options").get<std::map<std::string, std::string, std::less<>>>(),
@@ -96,6 +123,7 @@ CostCurve curve_of(const ordered_json& j) {
                     .slopes = {},
                     .notes = j.at("notes").get<std::vector<std::string>>()};
     for (const ordered_json& point : j.at("points")) curve.points.push_back(point_of(point));
+    mark_fronts(curve.points); // a file may say anything
     for (const ordered_json& slope : j.at("slopes")) curve.slopes.push_back(slope_of(slope));
     return curve;
 }
@@ -104,8 +132,8 @@ CostReport report_of(const ordered_json& j) {
     const ordered_json& device = j.at("device");
     CostReport report{.program = j.at("program"),
                       .scene = j.at("scene"),
-                      .width = j.at("width"),
-                      .height = j.at("height"),
+                      .width = whole(j, "width", kMostPixels),
+                      .height = whole(j, "height", kMostPixels),
                       .device = device.at("name"),
                       .driver = device.at("driver"),
                       .version = device.at("version"),

@@ -27,7 +27,8 @@ struct ReportError : std::runtime_error {
 
 std::string cost_json(const CostReport& report);
 
-// What cost_json() wrote; null becomes NaN. Throws ReportError: no JSON, or not of this form.
+// What cost_json() wrote; null becomes NaN, and fronts are found anew. Throws ReportError: no JSON, not of this form, or with numbers that
+// nothing measures.
 CostReport read_cost_json(std::string_view text);
 
 } // namespace lightbench

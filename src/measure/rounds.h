@@ -10,6 +10,7 @@ struct RoundLimits {
     unsigned most = 30;           // rounds
     double milliseconds = 60'000; // of wall time: no round begins after them
     double share = 0.05;          // of a median, that its 95 % interval keeps within
+    bool net = false;             // variant 0 is an empty run: what it takes is taken off the others of its round before they are judged
 };
 
 struct Timed {
@@ -17,8 +18,11 @@ struct Timed {
     bool settled = false;
 };
 
-// `run(i)` returns the milliseconds of one run of variant i, `wall()` those since any moment. One round at least.
+constexpr unsigned kFirstLook = 7; // runs; fewer do not tell how sure a median is
+
+// `run(i)` returns the milliseconds of one run of variant i, `wall()` those since any moment. One round at least, but for `stop`: once it
+// says so, the round under way is left out, and nothing begins after it.
 std::vector<Timed> time_in_rounds(std::size_t variants, const std::function<double(std::size_t)>& run, const std::function<double()>& wall,
-                                  const RoundLimits& limits);
+                                  const RoundLimits& limits, const std::function<bool()>& stop = {});
 
 } // namespace lightbench

@@ -36,11 +36,11 @@ std::optional<Interval> median_interval(std::vector<double> sample, double confi
     return Interval{sample[r - 1], sample[n - r]};
 }
 
-bool is_settled(const std::vector<double>& sample, double share) {
-    const auto interval = median_interval(sample);
+bool is_settled(const std::vector<double>& sample, double share, double confidence) {
+    const auto interval = median_interval(sample, confidence);
     if (!interval) return false;
     const double median = quartiles(sample).median;
-    return interval->low >= (1 - share) * median && interval->high <= (1 + share) * median;
+    return median > 0 && interval->low >= (1 - share) * median && interval->high <= (1 + share) * median;
 }
 
 std::optional<double> log_slope(const std::vector<std::pair<double, double>>& points) {

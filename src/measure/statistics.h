@@ -22,8 +22,8 @@ Quartiles quartiles(std::vector<double> sample);
 // are distributed. Nothing if all runs together do not suffice: 6 are needed for 95 %.
 std::optional<Interval> median_interval(std::vector<double> sample, double confidence = 0.95);
 
-// The interval above lies within this share of the sample's median, both ways.
-bool is_settled(const std::vector<double>& sample, double share = 0.05);
+// The interval above lies within this share of the sample's median, both ways; the median is above 0.
+bool is_settled(const std::vector<double>& sample, double share, double confidence);
 
 // Least squares through (log x, log y); nothing for fewer than two different x. All x and y are above 0.
 std::optional<double> log_slope(const std::vector<std::pair<double, double>>& points);

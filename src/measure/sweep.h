@@ -14,8 +14,7 @@ namespace lightbench {
 // One run of one variant.
 struct Rendering {
     ImageF radiance;
-    double milliseconds = 0;       // device timestamps
-    std::optional<double> closure; // of a full matrix: the largest |1 - sum of a row|
+    double milliseconds = 0; // device timestamps
 };
 
 struct References {
@@ -26,11 +25,13 @@ struct SweepRunner {
     std::function<Rendering(std::size_t)> run;                       // variant i, from the beginning
     std::function<void(std::size_t, const Rendering&)> take_picture; // of the first run, which is not timed: drivers compile then
     std::function<double()> wall;                                    // milliseconds
+    std::function<bool()> stop = {};                                 // asked after each run; true: that run counts no more
 };
 
 struct Swept {
     CostCurve curve;
     std::size_t broken = 0; // expectations, each a note of the curve
+    bool stopped = false;   // before every value was timed once: the curve is none
 };
 
 // `planned`: the curve as far as it is known before it is measured; its points have a value, an image and a command.

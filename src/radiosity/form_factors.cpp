@@ -97,6 +97,20 @@ DeltaFormFactors exact_delta_form_factors(unsigned n) {
     return {cells(n, n, -1, 1, top_corner), cells(n, n / 2, 0, 1, side_corner)};
 }
 
+// Cohen and Greenberg 1985, "The hemi-cube: a radiosity solution for complex environments", eqs. 7 and 8.
+double sum_at_pixel_centers(unsigned n) {
+    const double width = 2.0 / n, area = width * width;
+    const auto center = [&](unsigned i) { return -1 + (i + 0.5) * width; };
+    double top = 0, side = 0;
+    for (unsigned j = 0; j < n; ++j)
+        for (unsigned i = 0; i < n; ++i) {
+            const double x = center(i), y = center(j), r = x * x + y * y + 1;
+            top += area / (pi * r * r);
+            if (y > 0) side += y * area / (pi * r * r); // y stands for z, x for y
+        }
+    return top + 4 * side;
+}
+
 std::vector<std::uint32_t> delta_form_factors(unsigned n) {
     const DeltaFormFactors exact = exact_delta_form_factors(n);
     double side = 0;

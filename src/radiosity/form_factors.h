@@ -19,6 +19,10 @@ struct DeltaFormFactors {
 };
 DeltaFormFactors exact_delta_form_factors(unsigned n);
 
+// The sum of a hemi-cube's delta form factors by the formula at the centers of its pixels (S28, Cohen and Greenberg 1985), before any
+// correction: 1 + 0.54 / n^2 or so (HC-1).
+double sum_at_pixel_centers(unsigned n);
+
 // From a point with a unit normal to a polygon that lies in front of it, all of it visible (Lambert 1760, "Photometria"; Baum, Rushmeier and
 // Winget 1989, "Improving radiosity solutions through the use of analytically determined form-factors"). Clips at the horizon.
 // The polygon faces the point if its corners turn counter-clockwise as seen from there; a back gives 0.

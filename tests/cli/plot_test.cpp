@@ -42,6 +42,9 @@ TEST_F(Cli, PlotRefusesWhatCannotBeDrawn) {
     for (const char* text : {"did you mean \"fresnel\"?", "\"x\" must be NAME=VALUE", "must end in .svg or .csv"})
         EXPECT_THAT(ran.err, HasSubstr(text));
     EXPECT_EQ(run({"plot"}).code, 2);
+    const Ran twice = run({"plot", "fresnel", "-o", in_folder("a.csv"), "-o", in_folder("./a.csv")});
+    EXPECT_EQ(twice.code, 2);
+    EXPECT_THAT(twice.err, HasSubstr("./a.csv\" is there twice"));
     EXPECT_EQ(run({"plot", "brdf", "--param", "incidence=95"}).code, 2);
     EXPECT_THAT(files(), IsEmpty());
 }

@@ -33,6 +33,37 @@ TEST_F(Hemicube, AliasingAveragesOut) {
     EXPECT_NEAR(mean, 1, 0.01);
 }
 
+// Elements that edges of pixels cut: about N of the N^2 pixels err, in or out as a whole (between -1 and -1.5). Root mean square over
+// directions, since of a single element the error may be anything down to 0.
+TEST_F(Hemicube, ErrorsFallWithTheResolution) {
+    PatchMesh mesh;
+    std::vector<std::uint32_t> patches, targets;
+    for (unsigned i = 0; i < 8; ++i)
+        patches.push_back(add_grid(mesh, {{-0.01, -0.01, 0}, {0.02, 0, 0}, {0, 0.02, 0}, 1, 1, 1}).first_patch);
+    std::vector<double> exact;
+    for (int i = 0; i < 64; ++i) {
+        const glm::dvec3 c(1.7 * (i % 8 - 3.4), 1.7 * (i / 8 - 3.6), 4), x(1.3, 0, 0), y(0, 1.3, 0);
+        targets.push_back(add_grid(mesh, {c - 0.5 * (x + y), y, x, 1, 1, 1}).first_element);
+        const glm::dvec3 q[] = {c - 0.5 * (x + y), c + 0.5 * (y - x), c + 0.5 * (x + y), c + 0.5 * (x - y)};
+        exact.push_back(point_to_polygon({0, 0, 0}, {0, 0, 1}, q));
+    }
+    std::vector<double> errors;
+    for (const unsigned n : {16u, 32u, 64u, 128u, 256u}) {
+        double squares = 0;
+        for (const auto& row : rows_of(mesh, {.resolution = n, .batch = 8}, patches))
+            for (std::size_t t = 0; t < targets.size(); ++t) {
+                const double off = row[targets[t]] / exact[t] / kHemicubeOne - 1;
+                squares += off * off;
+            }
+        errors.push_back(std::sqrt(squares / static_cast<double>(patches.size() * targets.size())));
+        if (errors.size() > 1) EXPECT_LT(errors.back(), errors[errors.size() - 2]) << n;
+    }
+    const double slope = std::log2(errors.back() / errors.front()) / 4;
+    fmt::print("relative errors {:.3g}, slope {:.2f}\n", fmt::join(errors, " "), slope);
+    EXPECT_GE(slope, -1.6);
+    EXPECT_LE(slope, -0.9);
+}
+
 // HC-10: what lies in the patch's plane or behind it gets nothing, what crosses its horizon what is above; with and without correction.
 TEST_F(Hemicube, Horizon) {
     PatchMesh mesh;

@@ -50,11 +50,35 @@ TEST_F(Kernel, WrongResultsOfAPairAreReported) {
     EXPECT_EQ(errors_of(pair, in, results).wrong, 0.25);
 }
 
+// A form that is mostly not finite would stand on the front with the worst of what is left.
+TEST_F(Kernel, WrongFormsAreNotOnTheFront) {
+    PairFinding finding{pair_named("linear"), 100, {}};
+    finding.forms = {{"stable", {}, {1e-7, 1, 0}, {2, 1.9, 2.1, 9, true}}, {"naive", {}, {1e-9, 0.1, 0.9}, {1, 0.9, 1.1, 9, true}}};
+    CostCurve curve = curve_of(finding);
+    EXPECT_TRUE(std::isinf(curve.points[1].errors.at("relative")) && std::isinf(curve.points[1].errors.at("ulp")));
+    EXPECT_TRUE(curve.points[0].pareto.contains("relative") && !curve.points[1].pareto.contains("relative"));
+    EXPECT_THAT(curve.points[1].note, ::testing::HasSubstr("90 % of the results are not finite, or wrong altogether"));
+    finding.pair = pair_named("contrast");
+    curve = curve_of(finding);
+    EXPECT_FALSE(curve.points[0].errors.contains("ulp"));
+    EXPECT_EQ(curve.points[1].errors.at("relative"), 1e-9); // of decisions it is the wrong ones that are measured
+}
+
+// As fast as the loop around it: no time, and no place on the front.
+TEST_F(Kernel, TimesLostInNoiseAreNone) {
+    constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
+    const PairFinding finding{pair_named("linear"), 100, {{"stable", {}, {1e-9, 0, 0}, {kLost, kLost, kLost, 9, false}}}};
+    const CostCurve curve = curve_of(finding);
+    EXPECT_TRUE(curve.points[0].pareto.empty());
+    EXPECT_THAT(curve.points[0].note, ::testing::HasSubstr("lost in the noise"));
+    EXPECT_TRUE(curve.notes.empty());
+}
+
 TEST_F(Kernel, PairsAreCurvesOfAReport) {
     const CostCurve curve = curve_of(measure_pair(device, pair_named("linear"), kFew));
     EXPECT_EQ(curve.knob, "linear formula");
     EXPECT_EQ(curve.points.size(), gpu::has_float64(device) ? 3u : 2u);
-    EXPECT_EQ(curve.points.size() + curve.notes.size(), 3u);
+    EXPECT_EQ(curve.points.size() + curve.notes.size(), 4u); // and that so few runs tell little
     EXPECT_EQ(curve.points[0].value, "stable");
     EXPECT_TRUE(curve.points[1].errors.contains("relative") && curve.points[1].errors.contains("wrong"));
     EXPECT_GT(curve.points[1].runs, 0u);

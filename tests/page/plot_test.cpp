@@ -70,9 +70,24 @@ TEST(Plot, AttenuationLaws) {
 TEST(Plot, PhongLobe) {
     const Plot plot = made("brdf", {{"incidence", "30"}, {"shininess", "10"}, {"scale", "none"}});
     const PlotLine& phong = line(plot, "Phong, n = 10: largest 1 at 30");
-    EXPECT_EQ(phong.points.size(), 721U);
+    EXPECT_GE(phong.points.size(), 721U);
     EXPECT_NEAR(at(phong, 75), std::pow(std::cos(pi / 4), 10), 1e-14);
     EXPECT_EQ(at(phong, -75), 0);
+}
+
+// Between the grid's angles, a thousandth of a degree wide: the exponent and the slope are the extremes that may be typed.
+TEST(Plot, NarrowLobesAreFound) {
+    const Plot plot = made("brdf", {{"incidence", "45.1"}, {"shininess", "1e6"}, {"roughness", "0.001"}, {"scale", "none"}});
+    const PlotLine& phong = line(plot, "Phong, n = 1e+06: largest 1 at 45.1");
+    double half = 0; // width where it is above a half, degrees: 2 acos(2^(-1/n))
+    for (std::size_t i = 1; i < phong.points.size(); ++i)
+        if (phong.points[i].y >= 0.5) half += phong.points[i].x - phong.points[i - 1].x;
+    EXPECT_NEAR(half, 2 * std::acos(std::pow(0.5, 1e-6)) * 180 / pi, 0.02);
+    // At the mirror direction D is 1 / (4 m^2) and G is 1.
+    const double c = std::cos(45.1 * pi / 180), eta = 1.5, g = std::sqrt(eta * eta - 1 + c * c), a = (g - c) / (g + c),
+                 b = (c * (g + c) - 1) / (c * (g - c) + 1), fresnel = 0.5 * a * a * (1 + b * b);
+    EXPECT_NEAR(at(line(plot, "Cook-Torrance, Beckmann"), 45.1) / (fresnel / (4e-6 * c)), 1, 1e-9);
+    EXPECT_THAT(line(plot, "Cook-Torrance, Beckmann").name, HasSubstr("at 45.1"));
 }
 
 // At normal incidence and view: D F, since G / (N.V) = 1. Beckmann's D is 1 / (4 m^2), and F 0.04.
@@ -141,7 +156,14 @@ TEST(Plot, EveryProblemIsNamed) {
     EXPECT_THAT(refused("brdf", {{"incidence", "1,2,3,4,5"}}), HasSubstr("one to 4 numbers"));
     EXPECT_THAT(refused("brdf", {{"incidence", ""}}), HasSubstr("incidence"));
     EXPECT_THAT(refused("attenuation", {{"from", "3"}, {"to", "2"}}), HasSubstr("from must be the smaller one"));
-    EXPECT_THAT(refused("form-factor", {{"resolution", "3.5"}}), HasSubstr("whole number"));
+    EXPECT_THAT(refused("form-factor", {{"over", "distance"}, {"resolution", "3.5"}}), HasSubstr("whole number"));
+    EXPECT_EQ(refused("form-factor", {{"resolution", "64"}}), "plot form-factor: parameter \"resolution\" belongs to over=distance\n");
+    EXPECT_EQ(refused("form-factor", {{"over", "distance"}, {"distance", "3"}, {"largest", "64"}}),
+              "plot form-factor: parameter \"distance\" belongs to over=resolution\n"
+              "plot form-factor: parameter \"largest\" belongs to over=resolution\n");
+    EXPECT_EQ(refused("form-factor", {{"over", "distance"}, {"resolution", "50,49"}}),
+              "plot form-factor: parameter \"resolution\" is \"50,49\": two curves would be the same\n");
+    EXPECT_THAT(refused("fresnel", {{"index", "1.5,1.50"}}), HasSubstr("two curves would be the same"));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "measure/report_data.h"
 #include "measure/report_html.h"
 #include "measure/report_svg.h"
+#include "measure/sweep.h"
 #include "measure/text.h"
 #include "sample_report.h"
 
@@ -22,6 +23,7 @@ namespace lightbench {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -84,8 +86,8 @@ TEST_F(Report, PageNeedsNothingElse) {
     EXPECT_THAT(page, Not(HasSubstr("{{")));
     for (const char* text :
          {"llvmpipe (LLVM 15.0.6, 256 bits)", "Mesa 22.3.6", "assets/scenes/default.toml", "1024 jittered samples a pixel", "rmse 0.00031",
-          "-0.720", "Consequences of stratified sampling", "1 point did not settle", "uniform/4: rmse is larger than that of none",
-          "lightbench cost assets/scenes/default.toml --size 320x180", "octree/leaf=16"})
+          "-0.720", "Consequences of stratified sampling", "is still wider than 5 % of it both ways: jittered/256", "2 notes",
+          "uniform/4: rmse is larger than that of none", "lightbench cost assets/scenes/default.toml --size 320x180", "octree/leaf=16"})
         EXPECT_THAT(page, HasSubstr(text));
 }
 
@@ -126,6 +128,61 @@ void expect_well_formed(const std::string& svg) {
 
 bool no_gnuplot() {
     return std::system("command -v gnuplot >/dev/null") != 0;
+}
+
+// The knob "accel" with a renderer that is made up: pictures of `grid` brighter by `share`, its times `slower`.
+CostReport injected_report(float share, double slower) {
+    const auto grey = [](float value) { return ImageF{16, 16, std::vector<float>(16 * 16 * 4, value)}; };
+    CostReport report = sample_report();
+    CostCurve curve = report.curves[1];
+    curve.points.resize(2), curve.points[1].value = "grid";
+    unsigned calls = 0;
+    const SweepRunner runner{.run =
+                                 [&](std::size_t i) {
+                                     const double wobble = 1 + 0.01 * (calls++ % 3);
+                                     return Rendering{grey(i == 1 ? 0.5f * (1 + share) : 0.5f), (i == 1 ? slower : 1) * 10 * wobble};
+                                 },
+                             .take_picture = [](std::size_t, const Rendering&) {},
+                             .wall = [] { return 0.0; }};
+    report.curves = {sweep(curve, *find_knob("accel"), {grey(0.5f), grey(0.5f)}, runner, {}).curve};
+    return report;
+}
+
+// Of a row of the table: whether it is marked as the best.
+bool is_best(const std::string& page, const std::string& value) {
+    const std::size_t name = page.find(">" + value + "</th>"), row = page.rfind("<tr", name);
+    EXPECT_NE(name, std::string::npos) << value;
+    return page.substr(row, name - row).find("class=\"best\"") != std::string::npos;
+}
+
+// The test of the test: a slowdown by half and an error of 2 % are seen by who reads the page or looks at the plot.
+TEST_F(Report, ShowsAnInjectedSlowdownAndError) {
+    const CostReport plain = injected_report(0, 1), slow = injected_report(0, 1.5), wrong = injected_report(0.02f, 1);
+    EXPECT_TRUE(is_best(report_html(plain, folder), "bvh") && is_best(report_html(plain, folder), "grid"));
+    const std::string page = report_html(slow, folder);
+    EXPECT_TRUE(is_best(page, "bvh") && !is_best(page, "grid"));
+    EXPECT_THAT(page, HasSubstr("15.15</td>"));
+    const std::string told = report_html(wrong, folder);
+    EXPECT_THAT(told, HasSubstr("not as expected: the picture of grid differs from the reference by 0.01"));
+    EXPECT_THAT(told, HasSubstr("1 note"));
+    EXPECT_THAT(report_html(plain, folder), Not(HasSubstr("not as expected")));
+    if (no_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+    EXPECT_THAT(time_plot(plain, plain.curves[0]), AllOf(HasSubstr("the pictures are equal"), Not(HasSubstr("dominated"))));
+    EXPECT_THAT(time_plot(slow, slow.curves[0]), HasSubstr("dominated"));
+    EXPECT_THAT(time_plot(wrong, wrong.curves[0]), HasSubstr("NOT ALL PICTURES ARE EQUAL"));
+}
+
+// One run shows no noise: a bar of no width would look like a sure time.
+TEST_F(Report, OneRunHasNoBar) {
+    if (no_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+    CostReport report = sample_report();
+    const auto bars = [&] {
+        const std::string svg = cost_plot(report, report.curves[0], "rmse");
+        return svg.size();
+    };
+    const std::size_t with = bars();
+    for (CostPoint& point : report.curves[0].points) point.runs = 1;
+    EXPECT_LT(bars(), with);
 }
 
 TEST_F(Report, PlotsAreDrawn) {

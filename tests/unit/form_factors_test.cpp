@@ -79,6 +79,18 @@ TEST(FormFactors, TablesSumToOne) {
     }
 }
 
+// HC-1: the sum by the formula at the centers of pixels errs by the square of their width.
+TEST(FormFactors, SumsAtPixelCentersConverge) {
+    EXPECT_NEAR(sum_at_pixel_centers(32) - 1, 5.3e-4, 1e-5);
+    EXPECT_NEAR(sum_at_pixel_centers(64) - 1, 1.3e-4, 5e-6);
+    EXPECT_NEAR(sum_at_pixel_centers(256) - 1, 8.3e-6, 1e-7);
+    for (unsigned n = 16; n < 256; n *= 2) {
+        const double coarse = std::abs(sum_at_pixel_centers(n) - 1), fine = std::abs(sum_at_pixel_centers(2 * n) - 1);
+        EXPECT_NEAR(std::log2(fine / coarse), -2, 0.1) << n;
+        EXPECT_LE(coarse, 0.6 / (double(n) * n)) << n;
+    }
+}
+
 // Centres of pixels are what S28 writes; the integral over a pixel goes to them as pixels shrink.
 TEST(FormFactors, TablesAreWhatIsIntegrated) {
     const unsigned n = 256;

@@ -78,9 +78,19 @@ TEST(Metrics, NonFinitePixelsAreCountedNotHidden) {
     EXPECT_EQ(c.space, "linear");
     EXPECT_EQ(c.metrics.non_finite_reference, 0u);
     EXPECT_EQ(c.metrics.non_finite_test, 2u);
-    EXPECT_EQ(c.metrics.rmse, 0);
+    EXPECT_TRUE(std::isinf(c.metrics.rmse) && std::isinf(c.metrics.max));
+    EXPECT_TRUE(std::isinf(c.metrics.psnr) && c.metrics.psnr < 0);
+    EXPECT_EQ(c.metrics.differing, 2u);
     EXPECT_EQ(c.flip_map.error[0], 1.0f); // NaN displays as the black that the reference has: still an error
     EXPECT_GT(c.flip_mean, 0.6);
+}
+
+TEST(Metrics, PicturesWithoutAFinitePixelAreNotEqual) {
+    ImageF a = pixels(1, 1, {kNan, kNan, kNan, 1});
+    for (const Comparison& c : {compare(a, a), compare(a, display(a)), compare(display(a), a)}) {
+        EXPECT_EQ(c.metrics.differing, 1u);
+        EXPECT_TRUE(std::isinf(c.metrics.rmse) && std::isinf(c.metrics.psnr) && c.metrics.psnr < 0);
+    }
 }
 
 TEST(Compare, LinearAgainstDisplayedIsComparedOnTheScreen) {

@@ -13,7 +13,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN(), kInfinite = st
 
 CostPoint point(std::string value, double ms, double rmse, double flip = 0.5) {
     CostPoint p;
-    p.value = std::move(value), p.device_ms = ms, p.errors = {{"rmse", rmse}, {"flip", flip}};
+    p.value = std::move(value), p.device_ms = p.q1_ms = p.q3_ms = ms, p.runs = 9, p.errors = {{"rmse", rmse}, {"flip", flip}};
     return p;
 }
 
@@ -44,6 +44,27 @@ TEST(Front, MetricsHaveTheirOwn) {
 TEST(Front, WhatIsNotFiniteIsNotOnItAndHidesNothing) {
     EXPECT_EQ(front({point("a", 1, kInfinite), point("b", 2, kNaN), point("c", kNaN, 0), point("d", 3, 1)}), "d");
     EXPECT_EQ(front({}), "");
+}
+
+CostPoint noisy(std::string value, double q1, double ms, double q3, double rmse, unsigned runs = 9) {
+    CostPoint p = point(std::move(value), ms, rmse);
+    p.q1_ms = q1, p.q3_ms = q3, p.runs = runs;
+    return p;
+}
+
+// Equal pictures whose times differ by noise alone: none is better than another.
+TEST(Front, TakesNoNoiseForTruth) {
+    EXPECT_EQ(front({noisy("a", 9, 10, 11, 0.1), noisy("b", 10, 10.5, 12, 0.1), noisy("c", 20, 21, 22, 0.1)}), "ab");
+    EXPECT_EQ(front({noisy("a", 9, 10, 11, 0.2), noisy("b", 10, 10.5, 12, 0.1)}), "b"); // as fast, and nearer
+    // One run has no quartiles: 5 % is nothing, 20 % is something.
+    EXPECT_EQ(front({noisy("a", 10, 10, 10, 0, 1), noisy("b", 10.5, 10.5, 10.5, 0, 1), noisy("c", 12, 12, 12, 0, 1)}), "ab");
+    EXPECT_EQ(front({noisy("a", 10, 10, 10, 0), noisy("b", 10.5, 10.5, 10.5, 0)}), "a"); // nine equal ones have
+    EXPECT_EQ(front({noisy("a", kNaN, 10, kNaN, 0.2), noisy("b", kNaN, 20, kNaN, 0.1)}), "ab");
+}
+
+// As fast as c is b, as fast as b is a, but a is faster than c: b is hidden, and must not hide a.
+TEST(Front, WhatIsHiddenHidesNothing) {
+    EXPECT_EQ(front({noisy("a", 9, 10, 11, 3), noisy("b", 10.5, 12, 13, 2), noisy("c", 12.5, 14, 15, 1)}), "ac");
 }
 
 CostCurve three() {

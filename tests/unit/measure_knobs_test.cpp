@@ -82,6 +82,57 @@ TEST(Knobs, MistakesAreNamed) {
     EXPECT_THAT(problem_of("contrast=2"), HasSubstr("is no value of contrast"));
 }
 
+TEST(Knobs, EqualValuesAreOne) {
+    EXPECT_EQ(problem_of("patch=2e+2,200"), "patch: \"2e+2\" and \"200\" are the same; once is enough");
+    EXPECT_EQ(problem_of("depth=2,02"), "depth: \"2\" and \"02\" are the same; once is enough");
+    EXPECT_THAT(problem_of("grid-density=8,8.0"), HasSubstr("are the same"));
+    std::string problem;
+    EXPECT_TRUE(parse_knob("patch=2e+1,2e-1", problem)) << problem;
+}
+
+TEST(Knobs, FunctionsHaveNoValues) {
+    EXPECT_EQ(problem_of("functions=foo"), "functions has no values; the name alone is right");
+    EXPECT_THAT(problem_of("function"), HasSubstr("did you mean \"functions\"?"));
+}
+
+OptionTexts reference(std::string_view knob, const std::vector<std::string>& values, OptionTexts options = {}, bool again = false) {
+    find_knob(knob)->refer(options, values, again);
+    return options;
+}
+
+// A reference is finer than the finest value, and than what was typed; where none can be, the value is refused.
+TEST(Knobs, ReferencesGrowWithTheValues) {
+    EXPECT_EQ(reference("hemicube", {"16", "256"}).at("--hemicube"), "512");
+    EXPECT_EQ(reference("hemicube", {"16", "256"}, {}, true).at("--hemicube"), "400");
+    EXPECT_EQ(reference("hemicube", {"512", "16"}).at("--hemicube"), "1024");
+    EXPECT_EQ(reference("hemicube", {"512", "16"}, {}, true).at("--hemicube"), "800");
+    EXPECT_THAT(problem_of("hemicube=1024"), HasSubstr("an even number from 8 to 512"));
+    EXPECT_EQ(reference("form-factors", {"corrected/512"}).at("--hemicube"), "1024");
+    EXPECT_EQ(reference("form-factors", {"corrected"}, {{"--hemicube", "400"}}).at("--hemicube"), "800");
+    EXPECT_THAT(problem_of("form-factors=corrected/1024"), HasSubstr("N at most 512"));
+    EXPECT_EQ(reference("patch", {"1"}, {{"--hemicube", "512"}}).at("--hemicube"), "512");
+    EXPECT_EQ(reference("solver", {"progressive/0.00001"}).at("--until"), "1e-06");
+    EXPECT_EQ(reference("depth", {"32", "100"}, {{"--cutoff", "1e-5"}}), (OptionTexts{{"--cutoff", "1e-05"}, {"--depth", "200"}}));
+    EXPECT_EQ(reference("depth", {"1", "10"}, {{"--cutoff", "0.1"}}), (OptionTexts{{"--cutoff", "0.0005"}, {"--depth", "64"}}));
+    EXPECT_THAT(problem_of("depth=200"), HasSubstr("from 1 to 127"));
+    EXPECT_EQ(reference("cutoff", {"0.0004"}, {{"--depth", "100"}}), (OptionTexts{{"--cutoff", "0.0001"}, {"--depth", "100"}}));
+    EXPECT_EQ(reference("spp", {"jittered/64"}, {{"--method", "raytrace"}}).at("--spp"), "400");
+    EXPECT_EQ(reference("spp", {"jittered/1024", "4"}, {{"--method", "raytrace"}}).at("--spp"), "1024");
+    EXPECT_EQ(reference("contrast", {"0.5/4"}, {{"--method", "raytrace"}}).at("--spp"), "1024");
+    EXPECT_EQ(reference("filter", {"box"}, {{"--method", "raytrace"}, {"--spp", "225"}}).at("--spp"), "900");
+    EXPECT_EQ(reference("spp", {"4"}, {{"--seed", "10001"}}).at("--seed"), "20002");
+    EXPECT_EQ(reference("spp", {"4"}, {{"--seed", "10001"}}, true).at("--seed"), "30003");
+    EXPECT_EQ(reference("spp", {"4"}, {{"--seed", "20002"}}, true).at("--seed"), "30003");
+}
+
+// Without a number the hemi-cube is that of --hemicube.
+TEST(Knobs, FormFactorsKnowTheirHemicube) {
+    const Knob& knob = *find_knob("form-factors");
+    EXPECT_EQ(knob.scale("corrected", {{"--hemicube", "128"}})->x, 128);
+    EXPECT_EQ(knob.scale("corrected", {})->x, 64);
+    EXPECT_EQ(knob.scale("hemicube/32", {{"--hemicube", "128"}})->x, 32);
+}
+
 TEST(Knobs, WithoutValuesTheKnobsOwnAreTaken) {
     std::string problem;
     const auto use = parse_knob("spp", problem);

@@ -1,12 +1,16 @@
 // A sweep with a renderer that is made up: what a report says must show what was put in (DESIGN, rule 10), and files must hold all of it.
 #include "measure/sweep.h"
 
+#include "measure/analysis.h"
+#include "measure/budget.h"
+#include "measure/pareto.h"
 #include "measure/report_csv.h"
 #include "measure/report_json.h"
 
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace lightbench {
 namespace {
@@ -41,13 +45,12 @@ Swept sweep_made(const std::string& knob_name, const std::vector<Made>& made) {
     curve.knob = knob_name, curve.metric = "rmse", curve.time_only = knob.time_only;
     for (const Made& m : made) curve.points.push_back(named(m.value));
     unsigned calls = 0;
-    const SweepRunner runner{
-        .run =
-            [&](std::size_t i) {
-                return Rendering{grey(0.5f * (1 + made[i].share)), made[i].milliseconds * (1 + 0.01 * (calls++ % 3)), std::nullopt};
-            },
-        .take_picture = [](std::size_t, const Rendering&) {},
-        .wall = [] { return 0.0; }};
+    const SweepRunner runner{.run =
+                                 [&](std::size_t i) {
+                                     return Rendering{grey(0.5f * (1 + made[i].share)), made[i].milliseconds * (1 + 0.01 * (calls++ % 5))};
+                                 },
+                             .take_picture = [](std::size_t, const Rendering&) {},
+                             .wall = [] { return 0.0; }};
     return sweep(curve, knob, {grey(0.5f), grey(0.5f)}, runner, {});
 }
 
@@ -95,7 +98,7 @@ TEST(Sweep, SaysWhatItCannotKnow) {
     unsigned calls = 0;
     const SweepRunner runner{.run =
                                  [&](std::size_t) {
-                                     return Rendering{grey(float(++calls)), double(calls), std::nullopt};
+                                     return Rendering{grey(float(++calls)), double(calls)};
                                  },
                              .take_picture = [](std::size_t, const Rendering&) {},
                              .wall = [] { return 0.0; }};
@@ -103,8 +106,81 @@ TEST(Sweep, SaysWhatItCannotKnow) {
     EXPECT_FALSE(swept.curve.points[0].settled);
     EXPECT_EQ(swept.curve.points[0].runs, 3u);
     EXPECT_THAT(swept.curve.points[0].note, HasSubstr("its runs gave different pictures"));
-    EXPECT_THAT(swept.curve.notes, ElementsAre(HasSubstr("after 3 runs the 95 % interval of the median time is still wider than 5 %")));
+    EXPECT_THAT(swept.curve.notes, ElementsAre(HasSubstr("the rmse by which the reference is uncertain is not finite"),
+                                               "3 runs are too few to tell how sure a median time is (7 are needed): 4"));
+    EXPECT_EQ(swept.broken, 1u);
+    const Swept many = sweep(curve, knob, {grey(0.5f), grey(0.5f)}, runner, {.most = 8});
+    EXPECT_THAT(many.curve.notes, ElementsAre(HasSubstr("after 8 runs the 95 % interval of the median time is still wider than 5 %")));
     EXPECT_TRUE(std::isinf(swept.curve.reference_error.at("rmse")));
+}
+
+TEST(Sweep, SaysThatAKnobChangesNothing) {
+    const Swept equal = sweep_made("spp", {{"1", 0, 10}, {"4", 0, 10}, {"16", 0, 20}});
+    EXPECT_THAT(equal.curve.notes, ElementsAre("all pictures of this knob are equal in this scene"));
+    EXPECT_TRUE(equal.curve.points[1].pareto.contains("rmse"));
+    EXPECT_FALSE(equal.curve.points[2].pareto.contains("rmse"));
+}
+
+// The sum of one hemi-cube's delta form factors needs no picture; a slope that theory knows of every scene is a promise.
+TEST(Sweep, HoldsTheSumOfAHemicubeAgainstTheory) {
+    const std::vector<Made> made = {{"16", 0.16f, 1}, {"32", 0.08f, 2}, {"64", 0.04f, 4}, {"128", 0.02f, 8}, {"256", 0.01f, 16}};
+    const Swept swept = sweep_made("hemicube", made);
+    EXPECT_EQ(swept.broken, 0u);
+    ASSERT_EQ(swept.curve.slopes.size(), 2u);
+    EXPECT_EQ(swept.curve.slopes[1].metric, "sum");
+    EXPECT_NEAR(swept.curve.slopes[1].measured, -2, 0.1);
+    EXPECT_EQ(swept.curve.slopes[1].theory, -2);
+    Knob wrong = *find_knob("hemicube");
+    wrong.computed = [](std::string_view value) { return Errors{{"sum", 1 / std::stod(std::string(value))}}; };
+    CostCurve curve = swept.curve;
+    curve.slopes.clear(), curve.notes.clear();
+    for (CostPoint& point : curve.points)
+        point.errors.merge(wrong.computed(point.value)), point.errors["sum"] = wrong.computed(point.value)["sum"];
+    EXPECT_EQ(conclude(curve, wrong), 1u);
+    EXPECT_THAT(curve.notes, ElementsAre("not as expected: the slope of sum is -1.000, and theory says -2 +- 0.1"));
+}
+
+TEST(Sweep, SaysWhyASlopeLeavesPointsOut) {
+    Knob knob = *find_knob("spp");
+    CostCurve curve;
+    curve.metric = "rmse", curve.reference_error = {{"rmse", 0.01}};
+    for (const auto& [value, rmse] :
+         {std::pair("jittered/1", 0.8), {"jittered/4", 0.6}, {"jittered/9", INFINITY}, {"jittered/16", 0.4}, {"jittered/64", 0.015}}) {
+        curve.points.push_back(named(value));
+        curve.points.back().errors = {{"rmse", rmse}}, curve.points.back().settled = true;
+    }
+    EXPECT_EQ(conclude(curve, knob), 1u);
+    ASSERT_EQ(curve.slopes.size(), 1u);
+    EXPECT_THAT(curve.slopes[0].why,
+                HasSubstr("fitted to 3 of 5 points: of 1 the error is below twice the reference's uncertainty, of 1 it "
+                          "is not finite"));
+    EXPECT_THAT(curve.notes,
+                ElementsAre(HasSubstr("the rmse rises from 0.6 to inf"),
+                            HasSubstr("the slope (jittered) of rmse is -0.250, and theory says -0.75 +- 0.25: this scene is")));
+    EXPECT_THAT(curve.points[4].note, HasSubstr("below twice what the reference is uncertain by"));
+}
+
+TEST(Sweep, AStopInTheFirstRoundLeavesNoCurve) {
+    CostCurve curve;
+    curve.metric = "rmse", curve.points = {named("1"), named("4")};
+    int runs = 0;
+    const auto swept_until = [&](int most) {
+        runs = 0;
+        return sweep(curve, *find_knob("spp"), {grey(0.5f), grey(0.5f)},
+                     {.run =
+                          [&](std::size_t) {
+                              return ++runs, Rendering{grey(0.4f), 1};
+                          },
+                      .take_picture = [](std::size_t, const Rendering&) {},
+                      .wall = [] { return 0.0; },
+                      .stop = [&, most] { return runs >= most; }},
+                     {});
+    };
+    EXPECT_TRUE(swept_until(2).stopped);
+    EXPECT_TRUE(swept_until(4).stopped);
+    const Swept some = swept_until(8);
+    EXPECT_FALSE(some.stopped);
+    EXPECT_EQ(some.curve.points[1].runs, 2u);
 }
 
 CostReport full_report() {
@@ -116,6 +192,7 @@ CostReport full_report() {
     curve.notes = {"a note"};
     curve.points[0].command = "lightbench render x", curve.points[0].note = "n", curve.points[0].options = {{"--spp", "1"}};
     curve.points[1].errors["relative rmse"] = INFINITY;
+    mark_fronts(curve.points);
     return {"lightbench 0.1.0", "room.toml", 320, 180, "a device", "its driver", "1.3", "lightbench cost room.toml", {curve}};
 }
 
@@ -140,6 +217,37 @@ TEST(CostJson, RefusesWhatItIsNot) {
     std::string json = cost_json(full_report());
     json.replace(json.find("\"points\""), 8, "\"dots\"");
     EXPECT_THROW(read_cost_json(json), ReportError);
+}
+
+// Numbers that nothing measures, and fronts that hold what they cannot.
+TEST(CostJson, TrustsNothing) {
+    const auto wrong = [](const std::function<void(nlohmann::ordered_json&)>& change) {
+        nlohmann::ordered_json json = nlohmann::ordered_json::parse(cost_json(full_report()));
+        change(json);
+        try {
+            read_cost_json(json.dump());
+        } catch (const ReportError& error) {
+            return std::string(error.what());
+        }
+        return std::string("read");
+    };
+    const auto point = [](nlohmann::ordered_json& json) -> nlohmann::ordered_json& { return json["curves"][0]["points"][0]; };
+    EXPECT_EQ(wrong([](auto&) {}), "read");
+    EXPECT_EQ(wrong([&](auto& j) { point(j)["device_ms"] = -5; }),
+              "is no report of lightbench cost: device_ms is -5; it must be a time above 0, or null");
+    EXPECT_THAT(wrong([&](auto& j) { point(j)["q1_ms"] = 0; }), HasSubstr("q1_ms is 0"));
+    EXPECT_THAT(wrong([&](auto& j) { point(j)["runs"] = 1e300; }), HasSubstr("runs is 1e+300"));
+    EXPECT_THAT(wrong([&](auto& j) { point(j)["errors"] = {1, 2}; }), HasSubstr("errors is [1,2]; it must be an object"));
+    EXPECT_THAT(wrong([&](auto& j) { point(j)["errors"]["rmse"] = -1; }), HasSubstr("rmse is -1"));
+    EXPECT_THAT(wrong([](auto& j) { j["width"] = -1; }), HasSubstr("width is -1; it must be a whole number from 1 to"));
+    EXPECT_THAT(wrong([](auto& j) { j["height"] = 0; }), HasSubstr("height is 0"));
+    EXPECT_THAT(wrong([](auto& j) { j["width"] = 4294967297; }), HasSubstr("width is 4294967297"));
+    nlohmann::ordered_json json = nlohmann::ordered_json::parse(cost_json(full_report()));
+    for (auto& p : json["curves"][0]["points"]) p["errors"].erase("rmse"), p["pareto"] = {"rmse"};
+    const CostReport report = read_cost_json(json.dump());
+    EXPECT_EQ(choose(report.curves[0], {.milliseconds = 1e9, .error = {}, .metric = "rmse"}).point, nullptr);
+    point(json)["errors"]["rmse"] = nullptr;
+    EXPECT_EQ(choose(read_cost_json(json.dump()).curves[0], {.milliseconds = 1e9, .error = {}, .metric = "rmse"}).point, nullptr);
 }
 
 TEST(CostCsv, HasALineForEachMetricOfEachPoint) {

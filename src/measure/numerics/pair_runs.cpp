@@ -85,21 +85,25 @@ double wall_milliseconds() {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Each run less the empty loop of the same round.
+// Each run less the empty loop of the same round. Where that takes as long as a quarter of the runs, nothing is known of the formula's cost.
+FormCost cost_of(const Timed& timed, double nanoseconds) {
+    constexpr double kLost = std::numeric_limits<double>::quiet_NaN();
+    const Quartiles q = quartiles(timed.milliseconds);
+    const auto runs = static_cast<unsigned>(timed.milliseconds.size());
+    if (q.q1 <= 0) return {kLost, kLost, kLost, runs, false};
+    return {q.median * nanoseconds, q.q1 * nanoseconds, q.q3 * nanoseconds, runs, timed.settled};
+}
+
 void time_forms(Bench& bench, const Pair& pair, const std::vector<Runnable>& all, std::vector<Form>& forms, const PairLimits& limits) {
     const gpu::ComputePipeline empty = pipeline_of(bench.device, pair, kEmpty, false);
     const std::uint32_t calls = calls_for(bench, all.front().pipeline, limits.least_milliseconds);
     const auto run = [&](std::size_t i) { return run_form(bench, i == 0 ? empty : all[i - 1].pipeline, calls); };
     run(0); // the first dispatch may compile
-    const std::vector<Timed> timed = time_in_rounds(all.size() + 1, run, wall_milliseconds, limits.rounds);
+    RoundLimits rounds = limits.rounds;
+    rounds.net = true;
+    const std::vector<Timed> timed = time_in_rounds(all.size() + 1, run, wall_milliseconds, rounds);
     const double nanoseconds = 1e6 / (static_cast<double>(bench.count) * calls);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        std::vector<double> net;
-        for (std::size_t k = 0; k < timed[0].milliseconds.size(); ++k)
-            net.push_back((timed[i + 1].milliseconds[k] - timed[0].milliseconds[k]) * nanoseconds);
-        const Quartiles q = quartiles(net);
-        forms[all[i].form].cost = {q.median, q.q1, q.q3, static_cast<unsigned>(net.size()), is_settled(net)};
-    }
+    for (std::size_t i = 0; i < all.size(); ++i) forms[all[i].form].cost = cost_of(timed[i + 1], nanoseconds);
 }
 
 bool is_miss(double x) {

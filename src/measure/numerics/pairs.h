@@ -36,7 +36,8 @@ struct FormErrors {
 };
 
 struct FormCost {
-    double median = 0, q1 = 0, q3 = 0; // nanoseconds a call, all invocations of the device together; less the loop without the formula
+    // Nanoseconds a call, all invocations of the device together; less the loop without the formula. NaN: lost in the noise of that loop.
+    double median = 0, q1 = 0, q3 = 0;
     unsigned runs = 0;
     bool settled = false;
 };

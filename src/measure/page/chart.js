@@ -91,7 +91,7 @@ function obstaclesIn(at) {
 }
 
 function drawNoiseAndFront(svg, at, curve) {
-    svg.selectAll(".noise").data(at.dots.filter((d) => d.point.q1 !== null && d.point.q3 !== null)).join("line").attr("class", "noise")
+    svg.selectAll(".noise").data(at.dots.filter((d) => d.point.runs > 1 && d.point.q1 !== null && d.point.q3 !== null)).join("line").attr("class", "noise")
         .attr("x1", (d) => at.x(d.point.q1)).attr("x2", (d) => at.x(d.point.q3)).attr("y1", (d) => d.y).attr("y2", (d) => d.y);
     const front = frontOf(at);
     if (curve.time_only || front.length < 2) return;

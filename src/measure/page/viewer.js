@@ -5,7 +5,8 @@ function figures(number) {
 
 function describe(point) {
     const errors = Object.entries(point.errors).map(([metric, error]) => `${metric} ${figures(error)}`);
-    const time = point.ms === undefined ? [] : [`${figures(point.ms)} ms (quartiles ${figures(point.q1)} to ${figures(point.q3)}, ${point.runs} runs${point.settled ? "" : ", not settled"})`];
+    const noise = point.runs === 1 ? "1 run" : `quartiles ${figures(point.q1)} to ${figures(point.q3)}, ${point.runs} runs`;
+    const time = point.ms === undefined ? [] : [`${figures(point.ms)} ms (${noise}${point.settled ? "" : ", not settled"})`];
     const fronts = point.pareto || [], all = fronts.length === errors.length;
     const front = fronts.length > 0 ? [`on the Pareto front${all ? "" : ` of ${fronts.join(", ")}`}`] : [];
     return `${point.value}: ${[...time, ...errors, ...front, ...(point.note ? [point.note] : [])].join("; ")}`;
