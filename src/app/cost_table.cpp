@@ -21,7 +21,7 @@ std::string cells_of(const Errors& errors, const std::vector<std::string>& metri
 }
 
 std::string time_of(const CostPoint& point) {
-    if (!std::isfinite(point.device_ms)) return fmt::format("{:>10}  ({} runs)", "-", point.runs);
+    if (!std::isfinite(point.device_ms)) return fmt::format("{:>10}", "-");
     if (point.runs == 1) return fmt::format("{:>10.3f}  (1 run)", point.device_ms);
     return fmt::format("{:>10.3f}  ({:.3f} to {:.3f}, {} runs)", point.device_ms, point.q1_ms, point.q3_ms, point.runs);
 }

@@ -22,11 +22,15 @@ Errors errors_of(const kernels::Form& form, const kernels::PairFinding& finding)
         {"relative", wrong ? kInfinite : form.errors.relative}, {"ulp", wrong ? kInfinite : form.errors.ulp}, {"wrong", form.errors.wrong}};
 }
 
-std::string note_of(const kernels::Form& form) {
+std::string note_of(const kernels::Form& form, bool decides) {
     std::string note;
     if (form.errors.wrong > 0)
-        note = fmt::format("{:.3g} % of the results are not finite, or wrong altogether; of the others the worst is off by {:.3g} of it",
-                           100 * form.errors.wrong, form.errors.relative);
+        note =
+            decides
+                ? fmt::format("{:.3g} % of the decisions are wrong, the worst {:.3g} of the threshold away from it",
+                              100 * form.errors.wrong, form.errors.relative)
+                : fmt::format("{:.3g} % of the results are not finite, or wrong altogether; the worst of the others errs by {:.3g} of it",
+                              100 * form.errors.wrong, form.errors.relative);
     if (std::isnan(form.cost.median))
         note += fmt::format("{}its time is lost in the noise of the loop around it", note.empty() ? "" : "; ");
     return note;
@@ -52,7 +56,7 @@ CostCurve curve_of(const kernels::PairFinding& finding) {
         point.device_ms = form.cost.median, point.q1_ms = form.cost.q1, point.q3_ms = form.cost.q3; // nanoseconds a call are that
         point.runs = form.cost.runs, point.settled = form.cost.settled;
         point.command = fmt::format("lightbench numerics --pairs --only \"{}\"", pair.name);
-        point.note = note_of(form);
+        point.note = note_of(form, finding.pair.distance != nullptr);
         curve.points.push_back(point);
     }
     mark_fronts(curve.points);

@@ -18,7 +18,9 @@ double slope_of(const std::vector<double>& errors, double doublings = 1) {
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const double x = static_cast<double>(i) - mean;
         xy += x * std::log2(errors[i]), xx += x * x;
-        if (i > 0) EXPECT_LT(errors[i], errors[i - 1]) << i;
+        if (i > 0) {
+            EXPECT_LT(errors[i], errors[i - 1]) << i;
+        }
     }
     return xy / xx / doublings;
 }

@@ -56,7 +56,9 @@ TEST_F(Hemicube, ErrorsFallWithTheResolution) {
                 squares += off * off;
             }
         errors.push_back(std::sqrt(squares / static_cast<double>(patches.size() * targets.size())));
-        if (errors.size() > 1) EXPECT_LT(errors.back(), errors[errors.size() - 2]) << n;
+        if (errors.size() > 1) {
+            EXPECT_LT(errors.back(), errors[errors.size() - 2]) << n;
+        }
     }
     const double slope = std::log2(errors.back() / errors.front()) / 4;
     fmt::print("relative errors {:.3g}, slope {:.2f}\n", fmt::join(errors, " "), slope);
