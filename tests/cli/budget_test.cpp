@@ -97,7 +97,7 @@ TEST_F(Budget, TakesFromAReportWhatASweepSets) {
     };
     const Ran shader = with({{"--shader", "/etc/passwd"}, {"--method", "raytrace"}});
     EXPECT_EQ(shader.code, 0) << shader.err;
-    EXPECT_THAT(shader.err, HasSubstr("it was measured with another --shader"));
+    EXPECT_THAT(shader.err, HasSubstr("it was measured with another --sampling, --shader, --spp"));
     EXPECT_THAT(shader.err, HasSubstr("as measured: --method raytrace"));
     const Ran unknown = with({{"--colour", "red"}});
     EXPECT_EQ(unknown.code, 2);

@@ -39,7 +39,7 @@ class CostKnobs : public Cli {
 };
 
 TEST_F(CostKnobs, OfRays) {
-    const Ran ran = cost({"--knob", "contrast=1/1,0.1/4", "--knob", "filter=box,gaussian/2", "--knob", "cutoff=0.5,0.01", "--knob",
+    const Ran ran = cost({"--knob", "contrast=1/1,0.1/3", "--knob", "filter=box,gaussian/2", "--knob", "cutoff=0.5,0.01", "--knob",
                           "depth=1,3", "--knob", "leaf=bvh/2,octree/4", "--knob", "octree-depth=2,4", "--strict"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     const json curves = report()["curves"];

@@ -79,7 +79,7 @@ TEST_F(Interrupted, CtrlCKeepsWhatASweepHasMeasured) {
     const pid_t child = ::fork();
     if (child == 0) {
         if (!std::freopen(messages.c_str(), "w", stderr) || !std::freopen("/dev/null", "w", stdout)) ::_exit(99);
-        ::execl(LIGHTBENCH_PROGRAM, LIGHTBENCH_PROGRAM, "cost", ball.c_str(), "-o", folder_of_report.c_str(), "--size", "160x120", "--knob",
+        ::execl(LIGHTBENCH_PROGRAM, LIGHTBENCH_PROGRAM, "cost", ball.c_str(), "-o", folder_of_report.c_str(), "--size", "96x72", "--knob",
                 "shading=flat,phong", "--knob", "spp=uniform/1,uniform/961", "--rounds", "2", nullptr);
         ::_exit(99);
     }
