@@ -5,30 +5,38 @@
 namespace lightbench {
 namespace {
 
-std::atomic<bool> g_came = false; // a handler can reach nothing else
-static_assert(std::atomic<bool>::is_always_lock_free);
+std::atomic<int> g_came = 0; // a handler can reach nothing else
+static_assert(std::atomic<int>::is_always_lock_free);
 
-void note(int) {
-    g_came = true;
+void note(int signal) {
+    g_came = signal;
 }
 
 } // namespace
 
-Interrupt::Interrupt() {
-    g_came = false;
+Interrupt::Interrupt(std::vector<int> signals) {
+    g_came = 0;
     struct sigaction action {};
     action.sa_handler = note;
     action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     sigemptyset(&action.sa_mask);
-    sigaction(SIGINT, nullptr, &before_);
-    if (before_.sa_handler != SIG_IGN) sigaction(SIGINT, &action, nullptr);
+    for (const int signal : signals) {
+        struct sigaction before {};
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+        before_.emplace_back(signal, before);
+    }
 }
 
 Interrupt::~Interrupt() {
-    sigaction(SIGINT, &before_, nullptr);
+    for (const auto& [signal, before] : before_) sigaction(signal, &before, nullptr);
 }
 
 bool Interrupt::came() {
+    return g_came != 0;
+}
+
+int Interrupt::signal() {
     return g_came;
 }
 

@@ -1,22 +1,29 @@
 #include "app/live_shaders.h"
 
 #include "app/errors.h"
+#include "app/options.h"
 #include "gpu/errors.h"
 #include "image/file_bytes.h"
 #include "render/live/fits.h"
+#include "render/live/source_file.h"
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
 #include <cstring>
 #include <fmt/format.h>
 
 namespace lightbench {
 
 gpu::Constants slider_constants(const std::vector<Slider>& sliders, const std::map<std::string, float>& values) {
+    std::vector<std::string> names;
+    for (const Slider& slider : sliders) names.push_back(slider.name);
     gpu::Constants constants;
     for (const auto& [name, value] : values) {
         const auto slider = std::ranges::find(sliders, name, &Slider::name);
-        if (slider == sliders.end()) throw UserError("--slider", fmt::format("no constant named \"{}\" is marked as a slider", name));
+        if (slider == sliders.end())
+            throw UserError("--slider", fmt::format("no constant named \"{}\" is marked as a slider; {}", name,
+                                                    names.empty() ? "none is" : fmt::format("it must be {}", alternatives(names))));
         if (!(slider->least <= value && value <= slider->most))
             throw UserError("--slider",
                             fmt::format("{} is {:g}; it must lie between {:g} and {:g}", name, value, slider->least, slider->most));
@@ -28,22 +35,36 @@ gpu::Constants slider_constants(const std::vector<Slider>& sliders, const std::m
     return constants;
 }
 
-std::filesystem::path shader_sources() {
+bool names_shader_sources() {
+    const char* named = std::getenv("LIGHTBENCH_SHADERS");
+    return named != nullptr && *named != '\0';
+}
+
+std::filesystem::path shader_sources(bool required) {
     std::filesystem::path sources = find_shader_sources();
-    if (sources.empty())
+    if (names_shader_sources() && !std::filesystem::is_directory(sources))
+        throw UserError("LIGHTBENCH_SHADERS", fmt::format("there is no folder {}; it must be a copy of shaders/", sources.string()));
+    if (names_shader_sources() && !std::filesystem::is_regular_file(sources / "shade.glsl"))
+        throw UserError("LIGHTBENCH_SHADERS", fmt::format("{} holds no shade.glsl; it must be a copy of shaders/", sources.string()));
+    if (sources.empty() && required)
         throw gpu::EnvironmentError(
             "the program's shader sources, into which --shader is put, are missing (LIGHTBENCH_SHADERS names their folder)");
     return sources;
 }
 
 ShaderTree tree_with(const std::filesystem::path& root, const std::vector<std::filesystem::path>& files) {
+    Problems problems;
     for (const auto& file : files)
-        if (!std::filesystem::is_regular_file(file)) throw UserError(file.string(), "is not a file that can be read");
+        if (!std::filesystem::exists(file))
+            problems.push_back({file.string(), 0, 0, "there is no such file"});
+        else if (const std::string fault = read_source(file).fault; !fault.empty())
+            problems.push_back({file.string(), 0, 0, fault});
+    if (!problems.empty()) throw UserError(problems);
     return ShaderTree(root, files);
 }
 
 std::set<std::string> edited_entry_points(const ShaderTree& tree, const std::filesystem::path& root, const std::vector<Slider>& sliders) {
-    std::vector<std::string> files;
+    std::vector<std::string> files = tree.edited();
     for (const Slider& slider : sliders) files.push_back(std::filesystem::path(slider.file).lexically_relative(root).generic_string());
     std::set<std::string> names = tree.dependents(files);
     names.merge(tree.replaced());
@@ -51,8 +72,8 @@ std::set<std::string> edited_entry_points(const ShaderTree& tree, const std::fil
 }
 
 void use_shaders(gpu::Device& device, const std::vector<std::filesystem::path>& files, const std::map<std::string, float>& sliders) {
-    if (files.empty() && sliders.empty()) return;
-    const std::filesystem::path root = shader_sources();
+    if (files.empty() && sliders.empty() && !names_shader_sources()) return;
+    const std::filesystem::path root = shader_sources(true);
     const ShaderTree tree = tree_with(root, files);
     CompiledShaders compiled = tree.compile(edited_entry_points(tree, root, tree.compile({}).sliders));
     if (!compiled.errors.empty()) {

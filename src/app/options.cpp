@@ -65,7 +65,7 @@ constexpr OptionRow kOptions[] = {
     {"--solution", "FILE", "radiosity: goes on from what this file holds, if it exists, and keeps the solution in it"},
     {"--feed-lights", nullptr, "lights without area feed the surfaces even where some glow"},
     {"--shader", "FILE", "GLSL whose functions take the place of those of the same name below shaders/lib/; several, with commas or again"},
-    {"--slider", "NAME=X", "value of a constant that a shader marks as @slider(least, most, first); several, with commas or again"},
+    {"--slider", "NAME=X", "value of a constant that a shader marks as @slider(least, most); several, with commas or again"},
     {"--form-factors", "NAME", "corrected (default): analytic where surfaces are near; hemicube: without that"},
 };
 
@@ -215,20 +215,29 @@ void parse_frames(Parser& p, SceneOptions& o) {
     if (p.has("--frame") && p.has("--frames")) p.problem("--frame", "one frame or --frames, not both");
 }
 
-void parse_shaders(Parser& p, SceneOptions& o) {
-    const std::string files = p.text("--shader"); // the views are of it
-    if (p.has("--shader"))
-        for (const std::string_view file : split(files, ',')) o.shaders.emplace_back(file);
-    if (!p.has("--slider")) return;
-    const std::string text = p.text("--slider");
+void parse_sliders(Parser& p, std::map<std::string, float>& sliders) {
+    const std::string text = p.text("--slider"); // the views are of it
     for (const std::string_view pair : split(text, ',')) {
         const std::size_t equals = pair.find('=');
-        const auto value = equals == std::string_view::npos ? std::nullopt : parse_whole<float>(pair.substr(equals + 1));
-        if (value && std::isfinite(*value))
-            o.sliders[std::string(pair.substr(0, equals))] = *value;
-        else
+        const auto value = equals == std::string_view::npos || equals == 0 ? std::nullopt : parse_whole<float>(pair.substr(equals + 1));
+        const std::string name(pair.substr(0, equals));
+        if (!value || !std::isfinite(*value))
             p.problem("--slider", fmt::format("\"{}\" must be NAME=NUMBER, like gain=0.5", pair));
+        else if (!sliders.emplace(name, *value).second)
+            p.problem("--slider", fmt::format("{} has two values; one of them must go", name));
     }
+}
+
+// One a line. A name with commas that is a file's is one, too.
+void parse_shaders(Parser& p, SceneOptions& o) {
+    const std::string texts = p.text("--shader");
+    if (p.has("--shader"))
+        for (const std::string_view text : split(texts, '\n')) {
+            std::error_code ignored;
+            const bool whole = std::filesystem::exists(text, ignored);
+            for (const std::string_view file : whole ? std::vector{text} : split(text, ',')) o.shaders.emplace_back(file);
+        }
+    if (p.has("--slider")) parse_sliders(p, o.sliders);
 }
 
 } // namespace
@@ -252,8 +261,9 @@ void declare_scene_options(CLI::App& sub, Given& given, bool scene_required) {
             CLI::Option* option = sub.add_option_function<std::string>(
                 flag, [&given, flag](const std::string& text) { given[flag] = text; }, row.help);
             option->type_name(row.value);
-            if (flag == "--accel-param" || flag == "--shader" || flag == "--slider" || flag == "--without")
+            if (flag == "--accel-param" || flag == "--slider" || flag == "--without")
                 option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter(',');
+            if (flag == "--shader") option->multi_option_policy(CLI::MultiOptionPolicy::Join)->delimiter('\n');
         }
     }
 }

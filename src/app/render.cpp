@@ -84,8 +84,10 @@ gpu::Device& device_of(Run& run) {
     if (run.device) return *run.device;
     run.messages.step("opening the device");
     run.device.emplace(gpu::Device::open({run.options.device}));
-    if (!run.spirv.empty()) use_modules(*run.device, run.spirv);
-    use_shaders(*run.device, run.options.shaders, run.options.sliders);
+    if (!run.spirv.empty())
+        use_modules(*run.device, run.spirv);
+    else
+        use_shaders(*run.device, run.options.shaders, run.options.sliders);
     run.messages.step("rendering on " + run.device->info().name);
     if (run.choice)
         if (const std::string warning = warning_of_device(*run.choice, run.device->info()); !warning.empty())
@@ -141,7 +143,7 @@ void render_frame(Run& run, Scene& scene, std::optional<int> frame, bool first) 
     const RunRecord record{run.options.scene.string(), request.frame,
                            run.options.count,          run.load_ms,
                            run.wall.milliseconds(),    device.pipeline_milliseconds() - pipelines_before,
-                           device.memory_peak()};
+                           device.memory_peak(),       device.used_shaders()};
     write_stats(frame ? frame_path(run.options.stats, *frame) : run.options.stats,
                 stats_json(record, prepared.plan, device.info(), output));
     if (!run.interrupted) report(run, path, output, prepared.plan);

@@ -88,6 +88,7 @@ std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::Device
     json["radiosity"] = radiosity_json(output);
     json["triangles"] = {{"scene", plan.triangles.value_or(0)}, {"drawn", output.triangles_drawn}};
     json["memory"] = {{"device_peak", run.device_peak}, {"host_peak", host_peak()}};
+    json["shaders"] = run.shaders;
     json["image"] = {{"non_finite", output.non_finite}, {"done", output.done}};
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -23,6 +23,7 @@ struct RunRecord {
     bool counting = false;
     double load = 0, wall = 0, pipelines = 0; // milliseconds
     std::uint64_t device_peak = 0;            // bytes
+    std::set<std::string> shaders{};          // entry points of which pipelines were made
 };
 
 std::string stats_json(const RunRecord& run, const Plan& plan, const gpu::DeviceInfo& device, const RenderOutput& output);

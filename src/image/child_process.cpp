@@ -6,12 +6,12 @@
 #include <csignal>
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
-
-extern char** environ;
 
 namespace lightbench {
 namespace {
@@ -39,27 +39,65 @@ struct Pipe {
 
 struct Pipes {
     Pipe in, out, err;
+    Pipe exec; // says a byte if there is no such program
 };
 
-// 0: not started.
-pid_t start(const std::vector<std::string>& arguments, const Pipes& pipes) {
-    posix_spawn_file_actions_t actions{};
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, pipes.in.read, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, pipes.out.write, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, pipes.err.write, STDERR_FILENO);
-    posix_spawnattr_t attributes{};
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP); // a group of its own, to be killed whole
+// What the child gets: argv as exec wants it, seconds of processor time. Made before the fork, behind which nothing may allocate.
+struct Start {
     std::vector<char*> argv;
-    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-    argv.push_back(nullptr);
-    pid_t child = 0;
-    const int error = ::posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return error == 0 ? child : 0;
+    rlim_t seconds = 0;
+    pid_t parent = 0;
+
+    Start(const std::vector<std::string>& arguments, std::chrono::milliseconds limit) : parent(::getpid()) {
+        for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+        argv.push_back(nullptr);
+        // Should it outlive us all the same: as much as all processors give within the limit.
+        const auto wall = static_cast<rlim_t>(std::chrono::ceil<std::chrono::seconds>(limit).count()) + 1;
+        seconds = wall * std::max(1u, std::thread::hardware_concurrency());
+    }
+};
+
+[[noreturn]] void be_the_child(const Start& start, const Pipes& pipes) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != start.parent) ::_exit(127); // it died before that was said
+    ::setpgid(0, 0);                               // a group of its own, to be killed whole
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    ::sigaction(SIGPIPE, &usual, nullptr);
+    rlimit time{};
+    ::getrlimit(RLIMIT_CPU, &time);
+    time.rlim_cur = std::min(time.rlim_max, start.seconds);
+    ::setrlimit(RLIMIT_CPU, &time);
+    ::dup2(pipes.in.read, STDIN_FILENO), ::dup2(pipes.out.write, STDOUT_FILENO), ::dup2(pipes.err.write, STDERR_FILENO);
+    ::execvp(start.argv[0], start.argv.data());
+    const char failed = 1;
+    if (::write(pipes.exec.write, &failed, 1) != 1) ::_exit(126);
+    ::_exit(127);
 }
+
+// 0: not started.
+pid_t start(const std::vector<std::string>& arguments, std::chrono::milliseconds limit, Pipes& pipes) {
+    const Start what(arguments, limit);
+    const pid_t child = ::fork();
+    if (child == 0) be_the_child(what, pipes);
+    pipes.exec.close_write(); // exec closes the child's
+    char failed = 0;
+    if (child < 0 || ::read(pipes.exec.read, &failed, 1) == 0) return std::max(child, 0);
+    ::waitpid(child, nullptr, 0);
+    return 0;
+}
+
+// When to give up on it.
+struct End {
+    Clock::time_point time;
+    const std::function<bool()>& stop;
+    bool stopped = false;
+    bool reached() {
+        stopped = stopped || (stop && stop());
+        return stopped || Clock::now() >= time;
+    }
+};
+constexpr int kLookEvery = 20; // milliseconds
 
 // Reads what there is. False: the other side has closed.
 bool take(int fd, std::string& text) {
@@ -76,16 +114,15 @@ bool give(int fd, const std::string& text, std::size_t& at) {
     return (put >= 0 || errno == EINTR || errno == EAGAIN) && at < text.size();
 }
 
-// Until both outputs are closed. False: the time was over first.
-bool exchange(Pipes& pipes, const std::string& in, Clock::time_point end, ChildResult& result) {
+// Until both outputs are closed. False: the end was first.
+bool exchange(Pipes& pipes, const std::string& in, End& end, ChildResult& result) {
     std::size_t at = 0;
     if (in.empty()) pipes.in.close_write();
     while (pipes.out.read >= 0 || pipes.err.read >= 0) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        if (left <= 0) return false;
+        if (end.reached()) return false;
         std::array<pollfd, 3> fds{
             {{pipes.out.read, POLLIN, 0}, {pipes.err.read, POLLIN, 0}, {pipes.in.write, POLLOUT, 0}}}; // of fds below 0 poll says nothing
-        if (::poll(fds.data(), fds.size(), static_cast<int>(std::min<long long>(left, 1000))) < 0 && errno != EINTR) return false;
+        if (::poll(fds.data(), fds.size(), kLookEvery) < 0 && errno != EINTR) return false;
         if (fds[0].revents != 0 && !take(pipes.out.read, result.out)) pipes.out.close_read();
         if (fds[1].revents != 0 && !take(pipes.err.read, result.err)) pipes.err.close_read();
         if (fds[2].revents != 0 && !give(pipes.in.write, in, at)) pipes.in.close_write();
@@ -94,11 +131,11 @@ bool exchange(Pipes& pipes, const std::string& in, Clock::time_point end, ChildR
 }
 
 // A child may close its outputs and go on.
-bool wait_until(pid_t child, int& status, Clock::time_point end) {
+bool wait_until(pid_t child, int& status, End& end) {
     while (true) {
         const pid_t ended = ::waitpid(child, &status, WNOHANG);
         if (ended == child || (ended < 0 && errno != EINTR)) return true;
-        if (Clock::now() >= end) return false;
+        if (end.reached()) return false;
         ::usleep(2000);
     }
 }
@@ -117,20 +154,22 @@ struct IgnorePipeSignal {
 
 } // namespace
 
-ChildResult run_child(const std::vector<std::string>& arguments, const std::string& in, std::chrono::milliseconds limit) {
+ChildResult run_child(const std::vector<std::string>& arguments, const std::string& in, std::chrono::milliseconds limit,
+                      const std::function<bool()>& stop) {
     const IgnorePipeSignal ignored;
     ChildResult result;
     Pipes pipes;
-    const Clock::time_point end = Clock::now() + limit;
-    const pid_t child = start(arguments, pipes);
+    End end{Clock::now() + limit, stop};
+    const pid_t child = start(arguments, limit, pipes);
     if (child == 0) return result;
     pipes.in.close_read(), pipes.out.close_write(), pipes.err.close_write();
     ::fcntl(pipes.in.write, F_SETFL, O_NONBLOCK);
     int status = 0;
-    result.timed_out = !exchange(pipes, in, end, result) || !wait_until(child, status, end);
-    if (result.timed_out) {
-        ::kill(-child, SIGKILL);
+    const bool ended = exchange(pipes, in, end, result) && wait_until(child, status, end);
+    if (!ended) {
+        ::kill(-child, SIGKILL), ::kill(child, SIGKILL); // it may have had no time to found its group
         ::waitpid(child, &status, 0);
+        result.stopped = end.stopped, result.timed_out = !end.stopped;
     }
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return result;

@@ -36,29 +36,14 @@ TEST(ShaderText, PutsAFunctionInAnothersPlace) {
     EXPECT_FALSE(replace_function(library, "d", "user/mine.glsl"));
 }
 
-TEST(ShaderText, MakesSliders) {
-    std::vector<Slider> sliders(1);
-    ShaderErrors errors;
-    const std::string out = with_sliders("// text\nconst float gain = 0.5; // @slider(0, 2, 1) of the light\nfloat f() { return gain; }\n",
-                                         "mine.glsl", sliders, errors);
-    EXPECT_EQ(out, "// text\nlayout(constant_id = 1001) const float gain = 1.0;\nfloat f() { return gain; }\n");
-    ASSERT_EQ(sliders.size(), 2u);
-    EXPECT_EQ(sliders[1].name, "gain");
-    EXPECT_EQ(sliders[1].most, 2);
-    EXPECT_TRUE(errors.empty());
-}
-
-TEST(ShaderText, RefusesWhatCannotBeASlider) {
-    for (const char* bad :
-         {"const int n = 1; // @slider(0, 2, 1)", "const float x = 1.0; // @slider(2, 0, 1)", "const float x = 1.0; // @slider(0, 1)",
-          "const float x = 1.0; // @slider(0, 1, 1e999)", "float f() {\nconst float x = 1.0; // @slider(0, 2, 1)\nreturn x; }"}) {
-        std::vector<Slider> sliders;
-        ShaderErrors errors;
-        EXPECT_EQ(with_sliders(bad, "mine.glsl", sliders, errors), bad);
-        EXPECT_TRUE(sliders.empty());
-        ASSERT_EQ(errors.size(), 1u) << bad;
-        EXPECT_THAT(to_string(errors[0]), HasSubstr("mine.glsl:"));
-    }
+TEST(ShaderText, ComparesTypesWithoutNamesAndIdleQualifiers) {
+    const auto functions = functions_of("precise float a(in vec3 n, const highp float  x[ 2 ],\n inout vec3 r) { return 1.0; }\n"
+                                        "float b(vec3 m, float[2] y, inout vec3 s) { return 1.0; }\nfloat c(void) { return 1.0; }\n");
+    ASSERT_EQ(functions.size(), 3u);
+    EXPECT_EQ(functions[0].signature, "float(vec3,float[2],inout vec3)");
+    EXPECT_EQ(functions[0].signature, functions[1].signature);
+    EXPECT_EQ(functions[2].signature, "float()");
+    EXPECT_EQ(functions[1].head, "float b(vec3 m, float[2] y, inout vec3 s)");
 }
 
 TEST(ShaderText, FindsLines) {

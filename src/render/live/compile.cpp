@@ -2,6 +2,8 @@
 #include "gpu/errors.h"
 #include "image/child_process.h"
 #include "image/file_bytes.h"
+#include "image/temporary_folder.h"
+#include "render/live/compiler_errors.h"
 #include "render/live/fits.h"
 #include "render/live/shader_tree.h"
 #include "render/shaders.h"
@@ -12,10 +14,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <future>
-#include <regex>
-#include <sstream>
 #include <thread>
-#include <unistd.h>
 
 namespace lightbench {
 
@@ -23,83 +22,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Stage {
-    fs::path folder;
-    Stage() {
-        std::string name = (fs::temp_directory_path() / "lightbench-shaders-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw gpu::EnvironmentError(
-                fmt::format("{}: no folder can be made there: {}", fs::temp_directory_path().string(), std::strerror(errno)));
-        folder = name;
-    }
-    Stage(const Stage&) = delete;
-    ~Stage() {
-        std::error_code ignored;
-        fs::remove_all(folder, ignored);
-    }
-};
-
-// Where names of the copy came from.
-struct Origins {
-    const fs::path& root;
-    const std::map<std::string, fs::path>& user_files;
-    const std::map<std::string, std::string>& texts;
-    std::string stage;
-
-    ShaderError error_at(std::string file, unsigned line, std::string message) const {
-        if (file.starts_with(stage)) file = file.substr(stage.size() + 1);
-        ShaderError error{file, line, std::move(message), ""};
-        if (const auto text = texts.find(file); text != texts.end() && line > 0) error.text = line_of(text->second, line);
-        if (const auto user = user_files.find(file); user != user_files.end())
-            error.file = user->second.string();
-        else if (texts.contains(file) || !file.starts_with('/'))
-            error.file = (root / file).string();
-        return error;
-    }
-};
-
-void add(ShaderErrors& errors, const ShaderError& error) {
-    const auto same = [&](const ShaderError& e) { return e.file == error.file && e.line == error.line && e.message == error.message; };
-    if (std::ranges::none_of(errors, same)) errors.push_back(error);
-}
-
-// What follows from an error before it, or says no more than that there was one.
-bool says_nothing(std::string_view message) {
-    return message.find("compilation terminated") != message.npos || message.find("cannot be preceded by another token") != message.npos ||
-           message.find("No code generated") != message.npos;
-}
-
-// "ERROR: lib/phong.glsl:62: 'x' : undeclared identifier". What has no line is of the linker, and follows from what has.
-void read_errors(const std::string& text, const Origins& origins, ShaderErrors& errors) {
-    static const std::regex located(R"(^ERROR: ([^:\n]{1,500}):(\d{1,9}): ([^\n]{0,1000}))");
-    ShaderErrors without_place;
-    std::istringstream lines(text);
-    std::smatch match;
-    const std::size_t before = errors.size();
-    for (std::string line; std::getline(lines, line);) {
-        if (!line.starts_with("ERROR: ") || says_nothing(line)) continue;
-        line.erase(line.find_last_not_of(" \t\r") + 1);
-        if (line.size() < 2000 && std::regex_match(line, match, located))
-            add(errors, origins.error_at(match[1], static_cast<unsigned>(std::stoul(match[2])), match[3]));
-        else
-            without_place.push_back(origins.error_at("", 0, line.substr(7)));
-    }
-    if (errors.size() == before)
-        for (const ShaderError& error : without_place) add(errors, error);
-}
-
 struct Output {
     std::string name;
     ChildResult child;
     std::vector<std::uint32_t> words;
 };
 
-Output compile_one(const fs::path& stage, const std::string& name, std::chrono::milliseconds limit) {
+Output compile_one(const fs::path& stage, const std::string& name, std::chrono::milliseconds limit, const std::function<bool()>& stop) {
     const std::string out = (stage / (name + ".spv")).string();
     Output output{name,
                   run_child({"glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.3", fmt::format("-I{}", stage.string()), "-o",
                              out, (stage / name).string()},
-                            "", limit),
+                            "", limit, stop),
                   {}};
     if (output.child.code != 0) return output;
     const auto bytes = read_file(out);
@@ -109,14 +43,16 @@ Output compile_one(const fs::path& stage, const std::string& name, std::chrono::
 }
 
 void take(Output output, const Origins& origins, CompiledShaders& result) {
-    const auto fail = [&](std::string message) { add(result.errors, origins.error_at(output.name, 0, std::move(message))); };
+    const auto fail = [&](std::string message) { add_error(result.errors, origins.error_at(output.name, 0, std::move(message))); };
     if (!output.child.started())
         throw gpu::EnvironmentError("glslangValidator, which compiles edited shaders, is not installed (package glslang-tools)");
-    if (output.child.timed_out) return fail("compiling it takes too long");
+    if (output.child.timed_out) {
+        const std::string message = "compiling it takes too long";
+        if (std::ranges::find(result.errors, message, &ShaderError::message) == result.errors.end()) fail(message); // one for all
+        return;
+    }
     if (output.child.code != 0) {
-        const std::size_t before = result.errors.size();
-        read_errors(output.child.out + output.child.err, origins, result.errors);
-        if (result.errors.size() == before && result.errors.empty())
+        if (!read_errors(output.child.out + output.child.err, output.name, origins, result.errors))
             fail(fmt::format("the compiler ended with code {}", output.child.code));
         return;
     }
@@ -126,7 +62,8 @@ void take(Output output, const Origins& origins, CompiledShaders& result) {
 }
 
 // Several at a time, as there are cores.
-std::vector<Output> compile_all(const fs::path& stage, const std::set<std::string>& names, std::chrono::milliseconds limit) {
+std::vector<Output> compile_all(const fs::path& stage, const std::set<std::string>& names, std::chrono::milliseconds limit,
+                                const std::function<bool()>& stop) {
     const auto end = std::chrono::steady_clock::now() + limit;
     std::vector<std::string> list(names.begin(), names.end());
     std::vector<Output> outputs(list.size());
@@ -134,7 +71,8 @@ std::vector<Output> compile_all(const fs::path& stage, const std::set<std::strin
     const auto work = [&] {
         for (std::size_t i = next++; i < list.size(); i = next++) {
             const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
-            outputs[i] = compile_one(stage, list[i], std::max(left, std::chrono::milliseconds(1)));
+            outputs[i] = compile_one(stage, list[i], std::max(left, std::chrono::milliseconds(1)), stop);
+            if (outputs[i].child.stopped) return;
         }
     };
     std::vector<std::future<void>> workers;
@@ -146,22 +84,27 @@ std::vector<Output> compile_all(const fs::path& stage, const std::set<std::strin
 
 } // namespace
 
-CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit) const {
+CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit,
+                                    const std::function<bool()>& stop) const {
     CompiledShaders result;
-    const Stage stage;
-    const Origins origins{root_, user_files_, texts_, stage.folder.string()};
-    auto staged = stage_texts(result);
+    std::set<std::string> spoilt, present;
+    const auto staged = stage_texts(result, spoilt);
+    if (entry_points.empty()) return result;
+    const TemporaryFolder stage("shaders");
+    const Origins origins{root_, sources_.user_files, sources_.texts, stage.path.string()};
     for (const auto& [name, text] : staged) {
-        fs::create_directories((stage.folder / name).parent_path());
-        std::ofstream(stage.folder / name, std::ios::binary) << text;
+        fs::create_directories((stage.path / name).parent_path());
+        std::ofstream(stage.path / name, std::ios::binary) << text;
     }
-    std::set<std::string> present;
     for (const std::string& name : entry_points)
-        if (texts_.contains(name))
+        if (!sources_.texts.contains(name))
+            add_error(result.errors, origins.error_at(name, 0, "is gone"));
+        else if (!spoilt.contains(name))
             present.insert(name);
-        else
-            add(result.errors, origins.error_at(name, 0, "is gone"));
-    for (Output& output : compile_all(stage.folder, present, limit)) take(std::move(output), origins, result);
+    std::vector<Output> outputs = compile_all(stage.path, present, limit, stop);
+    result.stopped = std::ranges::any_of(outputs, [](const Output& output) { return output.child.stopped; });
+    if (result.stopped) return result;
+    for (Output& output : outputs) take(std::move(output), origins, result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <fmt/format.h>
 #include <regex>
+#include <set>
 
 namespace lightbench {
 
@@ -49,18 +50,74 @@ std::size_t matching(const std::string& code, std::size_t open) {
     return std::string::npos;
 }
 
+// Words, and brackets with what is between them: "vec3", "p", "[4]".
+std::vector<std::string> words_of(std::string_view text) {
+    std::vector<std::string> words;
+    bool in_word = false, in_brackets = false;
+    for (const char c : text) {
+        const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
+        if (!space && (c == '[' || !(in_word || in_brackets))) words.emplace_back();
+        if (!space) words.back() += c;
+        if (c == '[') in_brackets = true;
+        in_word = !space && !in_brackets;
+        if (c == ']') in_brackets = false;
+    }
+    return words;
+}
+
+// The type alone: without a name, and without qualifiers that change nothing for a caller.
+std::string type_of(std::string_view text, bool named) {
+    static const std::set<std::string> idle = {"in", "const", "precise", "highp", "mediump", "lowp"};
+    std::string type, brackets;
+    std::vector<std::string> plain;
+    for (std::string& word : words_of(text))
+        if (word[0] == '[')
+            brackets += word;
+        else if (!idle.contains(word))
+            plain.push_back(std::move(word));
+    if (named && plain.size() > (plain.size() > 0 && (plain[0] == "out" || plain[0] == "inout") ? 2u : 1u)) plain.pop_back();
+    for (const std::string& word : plain) type += (type.empty() ? "" : " ") + word;
+    return type + brackets;
+}
+
+std::string signature_of(std::string_view returned, std::string_view parameters) {
+    std::string signature = type_of(returned, false) + "(";
+    for (bool first = true; !parameters.empty(); first = false) {
+        const std::size_t end = std::min(parameters.find(','), parameters.size());
+        const std::string type = type_of(parameters.substr(0, end), true);
+        if (type != "void") signature += (first ? "" : ",") + type;
+        parameters.remove_prefix(std::min(end + 1, parameters.size()));
+    }
+    return signature + ")";
+}
+
+std::string on_one_line(std::string_view text) {
+    std::string line;
+    for (const char c : text) {
+        const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
+        if (!space)
+            line += c;
+        else if (!line.empty() && line.back() != ' ')
+            line += ' ';
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line;
+}
+
 // std::regex goes one frame deeper with each character: texts that are no heads must not end the stack.
 constexpr std::size_t kMostHead = 2000;
 
 // What stands before a brace, from the last end of something: a function's head if it ends with parentheses after a name.
 std::optional<FunctionText> head_of(const std::string& code, std::size_t from, std::size_t brace) {
-    static const std::regex head(R"(^\s*((?:\w+\s+)*\w+(?:\s*\[\s*\w*\s*\])?)\s+(\w+)\s*\([^;{}]*\)\s*$)");
+    static const std::regex head(R"(^\s*((?:\w+\s+)*\w+(?:\s*\[\s*\w*\s*\])?)\s+(\w+)\s*\(([^;{}]*)\)\s*$)");
     from = std::max(from, brace - std::min(brace, kMostHead));
     const std::string text = code.substr(from, brace - from);
     std::smatch match;
     if (!std::regex_match(text, match, head)) return std::nullopt;
     FunctionText f;
     f.name = match[2];
+    f.head = on_one_line(text.substr(static_cast<std::size_t>(match.position(1))));
+    f.signature = signature_of(match.str(1), match.str(3));
     f.begin = from + static_cast<std::size_t>(match.position(1)), f.name_at = from + static_cast<std::size_t>(match.position(2));
     return f;
 }
@@ -86,10 +143,13 @@ std::optional<std::string> replace_function(const std::string& library, std::str
     const auto functions = functions_of(library);
     const auto f = std::ranges::find(functions, name, &FunctionText::name);
     if (f == functions.end()) return std::nullopt;
-    const auto line = 1 + std::count(library.begin(), library.begin() + static_cast<std::ptrdiff_t>(f->end), '\n');
     // #line keeps the numbers of what follows; that directive names the line that comes next.
     return fmt::format("{}original_{}\n#include \"{}\"\n#line {}\n{}", library.substr(0, f->name_at),
-                       library.substr(f->name_at, f->end - f->name_at), include, line, library.substr(f->end));
+                       library.substr(f->name_at, f->end - f->name_at), include, line_number(library, f->end), library.substr(f->end));
+}
+
+unsigned line_number(std::string_view text, std::size_t at) {
+    return static_cast<unsigned>(1 + std::ranges::count(text.substr(0, at), '\n'));
 }
 
 std::string line_of(std::string_view text, unsigned line) {
@@ -101,59 +161,6 @@ std::string line_of(std::string_view text, unsigned line) {
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
     while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
     return std::string(text);
-}
-
-namespace {
-
-bool inside_a_function(const std::vector<FunctionText>& functions, std::size_t at) {
-    return std::ranges::any_of(functions, [&](const FunctionText& f) { return at > f.begin && at < f.end; });
-}
-
-// `const float gain = 0.5; // @slider(0, 1, 0.5)`: the constant of which this is a line.
-std::optional<Slider> slider_of(const std::string& line) {
-    static const std::regex marked(
-        R"(^\s*const\s+float\s+(\w+)\s*=[^;]*;\s*//\s*@slider\(\s*([-+.\deE]+)\s*,\s*([-+.\deE]+)\s*,\s*([-+.\deE]+)\s*\).*$)");
-    std::smatch match;
-    if (line.size() > kMostHead || !std::regex_match(line, match, marked)) return std::nullopt;
-    Slider s;
-    s.name = match[1];
-    try {
-        s.least = std::stof(match[2]), s.most = std::stof(match[3]), s.value = std::stof(match[4]);
-    } catch (const std::exception&) {
-        return std::nullopt;
-    }
-    if (!(s.least < s.most) || !(s.least <= s.value && s.value <= s.most)) return std::nullopt;
-    return s;
-}
-
-} // namespace
-
-std::string with_sliders(const std::string& glsl, const std::string& file, std::vector<Slider>& sliders, ShaderErrors& errors) {
-    if (glsl.find("@slider") == std::string::npos) return glsl;
-    const auto functions = functions_of(glsl);
-    std::string out;
-    unsigned number = 0;
-    for (std::size_t at = 0; at < glsl.size();) {
-        const std::size_t end = std::min(glsl.find('\n', at), glsl.size());
-        const std::string line = glsl.substr(at, end - at);
-        auto slider = ++number > 0 && line.find("@slider") != std::string::npos ? slider_of(line) : std::nullopt;
-        if (line.find("@slider") != std::string::npos && (!slider || inside_a_function(functions, at))) {
-            errors.push_back({file, number,
-                              "a slider is a line such as \"const float gain = 0.5; // @slider(0, 1, 0.5)\", least, most and first value, "
-                              "outside of functions",
-                              line_of(line, 1)});
-            slider.reset();
-        }
-        if (slider) {
-            slider->file = file, slider->constant = kFirstSlider + static_cast<std::uint32_t>(sliders.size());
-            out += fmt::format("layout(constant_id = {}) const float {} = {:#};", slider->constant, slider->name, slider->value);
-            sliders.push_back(*slider);
-        } else
-            out += line;
-        if (end < glsl.size()) out += '\n';
-        at = end + 1;
-    }
-    return out;
 }
 
 } // namespace lightbench

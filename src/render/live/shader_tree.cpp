@@ -1,13 +1,15 @@
 #include "render/live/shader_tree.h"
 
-#include "gpu/shader_code.h"
+#include "render/live/compiler_errors.h"
+#include "render/live/replace.h"
+#include "render/live/shader_includes.h"
+#include "render/live/source_file.h"
+#include "render/shaders.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
-#include <regex>
+#include <optional>
 
 namespace lightbench {
 
@@ -15,87 +17,95 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t kLargestSource = 4u << 20;
-
-// Empty for what cannot be read: whoever includes it learns so from the compiler.
-std::string text_of(const fs::path& file) {
-    std::error_code error;
-    const auto size = fs::file_size(file, error);
-    if (error || size > kLargestSource) return "";
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
 bool is_source(const fs::path& file) {
     static const std::set<std::string> known = {".glsl", ".vert", ".frag", ".comp", ".h"};
     return known.contains(file.extension().string());
 }
 
-std::set<std::string> includes_of(const std::string& text) {
-    std::set<std::string> names;
-    for (std::size_t at = text.find("#include \""); at != std::string::npos; at = text.find("#include \"", at)) {
-        at += 10;
-        const std::size_t end = text.find_first_of("\"\n", at);
-        if (end != std::string::npos && text[end] == '"') names.insert(text.substr(at, end - at));
-    }
-    return names;
+void put(Sources& sources, const std::string& name, SourceFile read) {
+    if (!read.fault.empty()) sources.faults[name] = std::move(read.fault);
+    sources.texts[name] = std::move(read.text);
 }
 
-// The library file that defines one of the functions of a user's file, and which.
-struct Place {
-    std::string library, function;
-};
-
-std::vector<Place> places_of(const std::map<std::string, std::string>& texts, const std::string& user_text) {
-    std::vector<Place> places;
-    const auto functions = functions_of(user_text);
-    for (const auto& [name, text] : texts) {
-        if (!name.starts_with("lib/")) continue;
-        for (const FunctionText& own : functions_of(text))
-            if (std::ranges::find(functions, own.name, &FunctionText::name) != functions.end()) places.push_back({name, own.name});
+// A user's file, and what it includes that lies beside or below it. What lies below the root is the tree's own.
+void read_user(Sources& sources, const std::string& name, const fs::path& file, const fs::path& root) {
+    if (sources.texts.contains(name)) return;
+    put(sources, name, read_source(file));
+    sources.user_files[name] = file;
+    const std::string own = name.substr(0, name.find('/', 5) + 1); // "user/0/"
+    for (const Include& include : includes_of(sources.texts.at(name))) {
+        const fs::path beside = file.parent_path() / include.name;
+        const std::string staged = (fs::path(name).parent_path() / include.name).lexically_normal().generic_string();
+        std::error_code ignored;
+        if (!staged.starts_with(own) || !fs::exists(beside, ignored) || fs::equivalent(beside, root / include.name, ignored)) continue;
+        read_user(sources, staged, beside, root);
     }
-    return places;
 }
 
 } // namespace
 
-ShaderTree::ShaderTree(fs::path root, std::vector<fs::path> replacements) : root_(std::move(root)), replacements_(std::move(replacements)) {
-    for (const fs::path& file : replacements_) user_files_[fmt::format("user/{}-{}", user_files_.size(), file.filename().string())] = file;
+ShaderTree::ShaderTree(fs::path root, std::vector<fs::path> replacements) : root_(std::move(root)) {
+    for (const fs::path& file : replacements)
+        replacements_[fmt::format("user/{}/{}", replacements_.size(), file.filename().string())] = file;
     refresh();
 }
 
-std::vector<std::string> ShaderTree::refresh() {
-    std::map<std::string, std::string> texts;
+Sources ShaderTree::read() const {
+    Sources sources;
     std::error_code ignored;
     for (auto entry = fs::recursive_directory_iterator(root_, ignored); entry != fs::recursive_directory_iterator();
          entry.increment(ignored))
         if (entry->is_regular_file(ignored) && is_source(entry->path()))
-            texts[entry->path().lexically_relative(root_).generic_string()] = text_of(entry->path());
-    for (const auto& [name, file] : user_files_) texts[name] = text_of(file);
-    std::vector<std::string> changed;
-    for (const auto& [name, text] : texts)
-        if (const auto before = texts_.find(name); before == texts_.end() || before->second != text) changed.push_back(name);
-    for (const auto& [name, text] : texts_)
-        if (!texts.contains(name)) changed.push_back(name);
-    texts_ = std::move(texts);
-    return changed;
+            put(sources, entry->path().lexically_relative(root_).generic_string(), read_source(entry->path()));
+    for (const auto& [name, file] : replacements_) read_user(sources, name, file, root_);
+    return sources;
+}
+
+bool ShaderTree::is_stale() const {
+    return read() != sources_;
+}
+
+std::vector<std::string> ShaderTree::refresh() {
+    Sources next = read();
+    const auto at = [](const std::map<std::string, std::string>& texts, const std::string& name) {
+        const auto found = texts.find(name);
+        return found == texts.end() ? std::optional<std::string>() : found->second;
+    };
+    std::set<std::string> changed;
+    for (const Sources* some : {&sources_, &next})
+        for (const auto& [name, text] : some->texts)
+            if (at(next.texts, name) != at(sources_.texts, name) || at(next.faults, name) != at(sources_.faults, name))
+                changed.insert(name);
+    sources_ = std::move(next);
+    return {changed.begin(), changed.end()};
+}
+
+std::vector<std::string> ShaderTree::edited() const {
+    std::vector<std::string> names;
+    std::set<std::string_view> known;
+    for (const ShaderSource& source : built_in_sources()) {
+        known.insert(source.name);
+        const auto text = sources_.texts.find(std::string(source.name));
+        if (text == sources_.texts.end() || text->second != source.text) names.emplace_back(source.name);
+    }
+    for (const auto& [name, text] : sources_.texts)
+        if (!known.contains(name) && !name.starts_with("user/") && !name.starts_with("numerics/")) names.push_back(name);
+    return names;
 }
 
 std::set<std::string> ShaderTree::dependents(std::span<const std::string> files) const {
     std::set<std::string> reached(files.begin(), files.end());
-    for (const std::string& file : files) // a user's function is part of the library that it stands in
-        if (user_files_.contains(file))
-            for (const Place& place : places_of(texts_, texts_.at(file))) reached.insert(place.library);
-    for (bool grew = true; grew;) {
-        grew = false;
-        for (const auto& [name, text] : texts_) {
-            if (reached.contains(name)) continue;
-            const auto includes = includes_of(text);
-            const bool reaches = std::ranges::any_of(includes, [&](const std::string& i) {
-                return reached.contains(i) || reached.contains((fs::path(name).parent_path() / i).generic_string());
-            });
-            if (reaches) reached.insert(name), grew = true;
-        }
+    for (std::size_t before = 0; before != reached.size();) {
+        before = reached.size();
+        for (const auto& [name, text] : sources_.texts)
+            if (!reached.contains(name) && std::ranges::any_of(includes_of(text), [&](const Include& include) {
+                    return reached.contains(include.name) ||
+                           reached.contains((fs::path(name).parent_path() / include.name).lexically_normal().generic_string());
+                }))
+                reached.insert(name);
+        for (const auto& [name, file] : replacements_) // a user's function is part of the library that it stands in
+            if (reached.contains(name))
+                for (const Place& place : places_of(sources_.texts, sources_.texts.at(name))) reached.insert(place.library);
     }
     std::set<std::string> entry_points;
     for (const auto& code : lightbench_shaders_table())
@@ -105,34 +115,29 @@ std::set<std::string> ShaderTree::dependents(std::span<const std::string> files)
 
 std::set<std::string> ShaderTree::replaced() const {
     std::vector<std::string> names;
-    for (const auto& [name, file] : user_files_) names.push_back(name);
+    for (const auto& [name, file] : replacements_) names.push_back(name);
     return dependents(names);
 }
 
-// A file that replaces nothing is a mistake: its functions would never be called.
-std::map<std::string, std::string> ShaderTree::stage_texts(CompiledShaders& result) const {
-    std::map<std::string, std::string> staged = texts_;
-    for (const auto& [name, file] : user_files_) {
-        const auto places = places_of(texts_, texts_.at(name));
-        if (places.empty()) result.errors.push_back({file.string(), 0, "defines no function of the name of one below shaders/lib/", ""});
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            // Included once, where the first of its functions stands; of the others the originals step aside there too.
-            const std::string include = i == 0 ? name : "user/none.glsl";
-            staged[places[i].library] = replace_function(staged[places[i].library], places[i].function, include).value();
-        }
-    }
-    staged["user/none.glsl"] = "";
-    for (auto& [name, text] : staged) {
-        const auto user = user_files_.find(name);
-        text =
-            with_sliders(text, user != user_files_.end() ? user->second.string() : (root_ / name).string(), result.sliders, result.errors);
-    }
-    return staged;
+std::map<std::string, std::string> ShaderTree::stage_texts(CompiledShaders& result, std::set<std::string>& spoilt) const {
+    Replaced replaced = replace_functions(sources_, replacements_, root_);
+    result.errors = std::move(replaced.errors);
+    std::vector<std::string> faulty = std::move(replaced.faulty);
+    const Origins origins{root_, sources_.user_files, sources_.texts, ""};
+    for (const auto& [name, fault] : sources_.faults)
+        if (!replacements_.contains(name) && !dependents({&name, 1}).empty())
+            result.errors.push_back(origins.error_at(name, 0, fault)), faulty.push_back(name);
+    for (const Circle& circle : circles(sources_.texts))
+        if (!dependents({&circle.file, 1}).empty())
+            result.errors.push_back(origins.error_at(circle.file, circle.line, circle.message)), faulty.push_back(circle.file);
+    spoilt = dependents(faulty);
+    for (auto& [name, text] : replaced.texts) text = with_sliders(text, origins.error_at(name, 0, "").file, result.sliders, result.errors);
+    return std::move(replaced.texts);
 }
 
 fs::path find_shader_sources() {
     std::vector<fs::path> places;
-    if (const char* named = std::getenv("LIGHTBENCH_SHADERS")) places.emplace_back(named);
+    if (const char* named = std::getenv("LIGHTBENCH_SHADERS"); named != nullptr && *named != '\0') return named;
     std::error_code ignored;
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored);
     if (!program.empty()) places.push_back(program.parent_path().parent_path() / "share/lightbench/shaders");

@@ -2,10 +2,12 @@
 // folder, functions to put in place of its own. Out: SPIR-V, sliders, errors where they were written.
 #pragma once
 
-#include "render/live/shader_text.h"
+#include "render/live/shader_error.h"
+#include "render/live/sliders.h"
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
 #include <span>
@@ -18,7 +20,16 @@ using ShaderModules = std::map<std::string, std::vector<std::uint32_t>, std::les
 struct CompiledShaders {
     ShaderModules modules; // that compiled, are valid and fit their place
     std::vector<Slider> sliders;
-    ShaderErrors errors; // empty: all of them did
+    ShaderErrors errors;  // empty: all of them did
+    bool stopped = false; // and what is above means nothing
+};
+
+// Every source by its name: its path below the root; "user/N/NAME" of the Nth replacement, and likewise of what it includes beside it.
+struct Sources {
+    std::map<std::string, std::string> texts;
+    std::map<std::string, std::string> faults; // why a text is empty: "is gone"
+    std::map<std::string, std::filesystem::path> user_files;
+    bool operator==(const Sources&) const = default;
 };
 
 class ShaderTree {
@@ -27,24 +38,28 @@ class ShaderTree {
     // same name below lib/.
     explicit ShaderTree(std::filesystem::path root, std::vector<std::filesystem::path> replacements = {});
 
-    // Reads every file anew, and which it includes. Paths of those that changed since the last time, appeared or are gone; below root, or
-    // as given.
+    // Reads every file anew, and which it includes. Names of those that changed since the last time, appeared or are gone.
     std::vector<std::string> refresh();
+    bool is_stale() const; // refresh() would find something
+    // Files of the root that are not as they were when the program was built.
+    std::vector<std::string> edited() const;
     // Entry points of the program that include one of these files, however far off, or are one.
     std::set<std::string> dependents(std::span<const std::string> files) const;
     // Entry points that replacements reach.
     std::set<std::string> replaced() const;
-    // In a child each, `limit` for all together.
-    CompiledShaders compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit = std::chrono::seconds(20)) const;
+    // In a child each, `limit` for all together. Once `stop` is true they are ended.
+    CompiledShaders compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit = std::chrono::seconds(20),
+                            const std::function<bool()>& stop = {}) const;
 
   private:
-    // What is compiled: sources with functions replaced and sliders made. Notes what is wrong with them.
-    std::map<std::string, std::string> stage_texts(CompiledShaders& result) const;
+    Sources read() const;
+    // What is compiled: sources with functions replaced and sliders made. Notes what is wrong with them, and entry points that need not be
+    // compiled because of it.
+    std::map<std::string, std::string> stage_texts(CompiledShaders& result, std::set<std::string>& spoilt) const;
 
     std::filesystem::path root_;
-    std::vector<std::filesystem::path> replacements_;
-    std::map<std::string, std::string> texts_; // below root, or "user/NAME" of a replacement
-    std::map<std::string, std::filesystem::path> user_files_;
+    std::map<std::string, std::filesystem::path> replacements_; // by their names
+    Sources sources_;
 };
 
 // shaders/ of the source tree that the program was built from, or of the installation. LIGHTBENCH_SHADERS names another. Empty: none is there.
