@@ -73,7 +73,7 @@ Slot* Stage::find(std::uint64_t version, const Request& request) {
     return nullptr;
 }
 
-Slot& Stage::prepare_slot(const SceneVersion& scene, const Request& request, const std::function<void()>& first_use) {
+Slot& Stage::prepare_slot(const SceneVersion& scene, const Request& request, const Doing& doing) {
     auto completed = std::make_unique<Scene>(*scene.scene);
     auto prepared = std::make_unique<Prepared>(prepare(*completed, request));
     Slot* slot = find(scene.version, request);
@@ -81,7 +81,7 @@ Slot& Stage::prepare_slot(const SceneVersion& scene, const Request& request, con
         slot->prepared->view = prepared->view;
         return *slot;
     }
-    first_use();
+    doing("compiling: first use of this variant");
     if (slot == nullptr) {
         while (slots_.size() >= kSlots) slots_.pop_back();
         slots_.push_front({scene.version, without_camera(request)});
@@ -90,26 +90,26 @@ Slot& Stage::prepare_slot(const SceneVersion& scene, const Request& request, con
     slot->renderer.reset();
     slot->scene = std::move(completed), slot->prepared = std::move(prepared);
     slot->renderer.emplace(device_, *slot->scene, slot->prepared->geometry, slot->prepared->plan);
+    doing("rendering the first picture of this variant"); // in which a driver may compile still
     return *slot;
 }
 
-std::shared_ptr<Shot> Stage::render(const SceneVersion& scene, const Request& request, const RenderOptions& options,
-                                    const std::function<void()>& first_use) {
+std::shared_ptr<Shot> Stage::render(const SceneVersion& scene, const Request& request, const RenderOptions& options, const Doing& doing) {
     const Slot* known = find(scene.version, request);
     if (known != nullptr && known->last && known->last->request == request) return std::make_shared<Shot>(*known->last);
-    Slot& slot = prepare_slot(scene, request, first_use);
+    Slot& slot = prepare_slot(scene, request, doing);
     std::shared_ptr<Shot> shot = shot_of(slot, request, slot.prepared->view, options);
     if (shot->whole) slot.last = shot;
     return shot;
 }
 
-std::shared_ptr<Shot> Stage::render_moving(const SceneVersion& scene, const Request& request, const std::function<void()>& first_use) {
+std::shared_ptr<Shot> Stage::render_moving(const SceneVersion& scene, const Request& request, const Doing& doing) {
     Slot* whole = find(scene.version, request);
     const bool radiosity = request.method == Method::radiosity;
     const bool fluent = whole != nullptr && whole->renderer && (radiosity || (whole->last && whole->last->milliseconds <= kFluent));
     const Request smaller = fluent ? request : coarse(request, halvings_);
     Slot* slot = fluent ? whole : find(scene.version, smaller);
-    if (slot == nullptr || !slot->renderer) slot = &prepare_slot(scene, smaller, first_use);
+    if (slot == nullptr || !slot->renderer) slot = &prepare_slot(scene, smaller, doing);
     const CompleteResult placed = complete(*slot->scene, smaller);
     if (!placed.completed) throw UserError(placed.problems);
     RenderOptions options;

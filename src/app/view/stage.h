@@ -38,21 +38,22 @@ struct Slot {
     std::shared_ptr<const Shot> last{}; // whole
 };
 
+using Doing = std::function<void(const char*)>; // for people
+
 class Stage {
   public:
     explicit Stage(gpu::Device& device) : device_(device) {}
 
-    // Just as `render` does it. `first_use` is called before a renderer is made. Throws what rendering throws.
-    std::shared_ptr<Shot> render(const SceneVersion& scene, const Request& request, const RenderOptions& options,
-                                 const std::function<void()>& first_use);
+    // Just as `render` does it. `doing` is told of a renderer that is made, and of its first picture. Throws what rendering throws.
+    std::shared_ptr<Shot> render(const SceneVersion& scene, const Request& request, const RenderOptions& options, const Doing& doing);
     // For a camera in motion: the surfaces as they were cut for where it came from, and fewer pixels and samples if the last whole picture
     // took longer than a tenth of a second.
-    std::shared_ptr<Shot> render_moving(const SceneVersion& scene, const Request& request, const std::function<void()>& first_use);
+    std::shared_ptr<Shot> render_moving(const SceneVersion& scene, const Request& request, const Doing& doing);
     void clear() { slots_.clear(); }
 
   private:
     Slot* find(std::uint64_t version, const Request& request);
-    Slot& prepare_slot(const SceneVersion& scene, const Request& request, const std::function<void()>& first_use);
+    Slot& prepare_slot(const SceneVersion& scene, const Request& request, const Doing& doing);
     gpu::Device& device_;
     std::list<Slot> slots_; // the last used first
     unsigned halvings_ = 1; // of a picture in motion

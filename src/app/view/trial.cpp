@@ -1,14 +1,13 @@
 #include "app/view/trial.h"
 
 #include "app/command_line.h"
-#include "gpu/errors.h"
 #include "gpu/spec_defaults.h"
 #include "image/child_process.h"
+#include "image/temporary_folder.h"
 
-#include <cerrno>
-#include <cstring>
+#include <algorithm>
 #include <fmt/format.h>
-#include <stdlib.h>
+#include <nlohmann/json.hpp>
 
 namespace lightbench::view {
 
@@ -16,29 +15,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Folder {
-    fs::path path;
-    Folder() {
-        std::string name = (fs::temp_directory_path() / "lightbench-trial-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw gpu::EnvironmentError(
-                fmt::format("{}: no folder can be made there: {}", fs::temp_directory_path().string(), std::strerror(errno)));
-        path = name;
-    }
-    Folder(const Folder&) = delete;
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-};
-
-// Few pixels, a sample each, one shot: every pipeline runs, and little more.
-Request small(Request r, Method method) {
-    if (r.method != method) r.accel_parameters = {};
-    r.method = method, r.size = glm::uvec2(64, 36), r.crop.reset();
-    r.spp = 1, r.sampling = Sampling::none, r.filter = Filter::box;
+// Few pixels and samples, one shot: every pipeline of the picture runs, and little more.
+Request small(Request r) {
+    r.size = glm::uvec2(64, 36), r.crop.reset();
+    r.spp = std::min(r.spp, 4u), r.max_level = std::min(r.max_level, 1u);
     r.radiosity.shots = 1, r.radiosity.pick.reset(), r.radiosity.show = Show::light;
-    r.radiosity.solver = Solver::progressive;
+    r.radiosity.hemicube = std::min(r.radiosity.hemicube, 16u);
     return r;
 }
 
@@ -49,26 +31,57 @@ std::string last_line(const std::string& text) {
     return text.substr(begin == text.npos ? 0 : begin + 1, end - (begin == text.npos ? 0 : begin + 1) + 1);
 }
 
+std::vector<std::string> options_for(const Trial& trial, const Request& request) {
+    std::vector<std::string> words = options_of(small(request));
+    words.insert(words.end(), trial.options.begin(), trial.options.end());
+    return words;
+}
+
+Tried try_picture(const Trial& trial, const Request& request, const fs::path& folder, const std::function<bool()>& stop) {
+    std::vector<std::string> words = {"/proc/self/exe", "render", trial.scene.string()};
+    for (std::string& word : options_for(trial, request)) words.push_back(std::move(word));
+    for (const std::string& word : {std::string("--quiet"), std::string("--spirv"), (folder / "spirv").string(), std::string("--stats"),
+                                    std::string("-"), std::string("-o"), (folder / "trial.png").string()})
+        words.push_back(word);
+    const auto limit = request.method == Method::radiosity ? kRadiosityTrialLimit : kTrialLimit;
+    const ChildResult child = run_child(words, "", limit, stop);
+    const std::string picture = "a first small picture, drawn aside,";
+    if (child.stopped) return {"", {}, true};
+    if (child.timed_out) return {fmt::format("{} ran for more than {} s", picture, limit.count())};
+    if (child.code > 128) return {fmt::format("{} ended the program with signal {}", picture, child.code - 128)};
+    if (child.code != 0) return {fmt::format("{} failed: {}", picture, last_line(child.err))};
+    Tried tried;
+    const auto stats = nlohmann::json::parse(child.out, nullptr, false);
+    if (stats.is_object() && stats.contains("shaders"))
+        for (const auto& name : stats["shaders"]) tried.used.insert(name.get<std::string>());
+    return tried;
+}
+
 } // namespace
 
-std::string try_shaders(const Trial& trial, Method method, const ShaderModules& modules, const gpu::Constants& constants) {
-    const Folder folder;
+std::string key_of(const Trial& trial) {
+    std::string key = trial.scene.string();
+    for (Request request : trial.requests) {
+        request.placed.reset(), request.seed = 0;
+        for (const std::string& word : options_for(trial, request)) key += "\n" + word;
+    }
+    return key;
+}
+
+Tried try_shaders(const Trial& trial, const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop) {
+    const TemporaryFolder folder("trial");
     ShaderModules set;
     for (const auto& [name, words] : modules) set[name] = gpu::with_defaults({name, words}, constants);
     write_modules(set, folder.path / "spirv");
-    std::vector<std::string> words = {"/proc/self/exe", "render", trial.scene.string()};
-    for (std::string& word : options_of(small(trial.request, method))) words.push_back(std::move(word));
-    words.insert(words.end(), trial.options.begin(), trial.options.end());
-    for (std::string word : {std::string("--quiet"), std::string("--spirv"), (folder.path / "spirv").string(), std::string("-o"),
-                             (folder.path / "trial.png").string()})
-        words.push_back(std::move(word));
-    const auto limit = method == trial.request.method ? kTrialLimit : kOtherTrialLimit;
-    const ChildResult child = run_child(words, "", limit);
-    if (child.timed_out) return fmt::format("a first small picture, drawn aside, ran for more than {} s", limit.count());
-    if (child.code > 128) return fmt::format("a first small picture, drawn aside, ended the program with signal {}", child.code - 128);
-    if (child.code == 2 && method != trial.request.method) return ""; // the scene or its options are not of that method
-    if (child.code != 0) return fmt::format("a first small picture, drawn aside, failed: {}", last_line(child.err));
-    return "";
+    Tried all;
+    std::set<std::vector<std::string>> done;
+    for (const Request& request : trial.requests) {
+        if (!done.insert(options_for(trial, request)).second) continue;
+        Tried one = try_picture(trial, request, folder.path, stop);
+        if (one.stopped || !one.problem.empty()) return one;
+        all.used.merge(one.used);
+    }
+    return all;
 }
 
 } // namespace lightbench::view

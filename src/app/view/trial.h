@@ -4,6 +4,7 @@
 #include "app/live_shaders.h"
 #include "plan/request.h"
 
+#include <functional>
 #include <memory>
 
 namespace lightbench::view {
@@ -17,14 +18,22 @@ struct ShaderSet {
 struct Trial {
     std::filesystem::path scene{};
     std::vector<std::string> options{}; // that a request does not hold: the device
-    Request request{};
+    std::vector<Request> requests{};    // of what is shown: one, or both sides
     std::map<std::string, float> sliders{};
+    bool operator==(const Trial&) const = default;
 };
 
-// The second is for methods that are not shown, whose structures and pipelines are all made anew.
-constexpr std::chrono::seconds kTrialLimit(5), kOtherTrialLimit(15);
+// Trials of one key run the same shaders: cameras and sizes are left out.
+std::string key_of(const Trial& trial);
 
-// Why these cannot be used; empty: they drew a picture. `method` takes the place of the trial's own.
-std::string try_shaders(const Trial& trial, Method method, const ShaderModules& modules, const gpu::Constants& constants);
+// Radiosity makes more pipelines, and a first shot.
+constexpr std::chrono::seconds kTrialLimit(5), kRadiosityTrialLimit(15);
+
+struct Tried {
+    std::string problem{};        // why these cannot be used; empty: they drew the pictures
+    std::set<std::string> used{}; // entry points that they used
+    bool stopped = false;         // because `stop` was true
+};
+Tried try_shaders(const Trial& trial, const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop);
 
 } // namespace lightbench::view

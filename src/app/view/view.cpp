@@ -2,6 +2,7 @@
 #include "app/assets.h"
 #include "app/commands.h"
 #include "app/errors.h"
+#include "app/interrupt.h"
 #include "app/view/viewer.h"
 #include "image/file_bytes.h"
 
@@ -27,6 +28,10 @@ view::ViewOptions check_arguments(const ViewArguments& arguments) {
         problems.push_back({"--solution", 0, 0, "the viewer keeps its solutions while it runs; `lightbench render` keeps them in files"});
     if (!options.scene.stats.empty())
         problems.push_back({"--stats", 0, 0, "times are in the panel; `lightbench render` with the command copied there writes them"});
+    for (const auto& [flag, reason] : {std::pair{"--progress", "what is being done stands over the picture"},
+                                       {"--quiet", "the viewer says nothing but errors"},
+                                       {"--count", "counts are for --stats, which `lightbench render` writes"}})
+        if (arguments.given.contains(flag)) problems.push_back({flag, 0, 0, reason});
     options.log = arguments.log, options.vsync = !arguments.no_vsync;
     if (!arguments.screenshots.empty()) options.screenshots = arguments.screenshots;
     std::error_code ignored;
@@ -36,19 +41,22 @@ view::ViewOptions check_arguments(const ViewArguments& arguments) {
     return options;
 }
 
-void run_viewer(const ViewArguments& arguments) {
-    if (arguments.list_keys) return fmt::print("{}", view::keys_markdown());
+// The exit code.
+int run_viewer(const ViewArguments& arguments) {
+    if (arguments.list_keys) return fmt::print("{}", view::keys_markdown()), 0;
     const view::ViewOptions options = check_arguments(arguments);
     const SceneOptions& scene = options.scene;
     view::Opened opened = view::open_scene(scene.scene, load_or_throw(scene.scene, scene.allow_outside), scene.request, 1);
+    const Interrupt interrupt({SIGINT, SIGTERM, SIGHUP});
     view::Viewer viewer(options, std::move(opened), gpu::Device::open({scene.device}));
     viewer.run();
     viewer.close();
+    return Interrupt::came() ? 128 + Interrupt::signal() : 0;
 }
 
 } // namespace
 
-void add_view(CLI::App& app, int&) {
+void add_view(CLI::App& app, int& code) {
     auto arguments = std::make_shared<ViewArguments>();
     CLI::App* sub = app.add_subcommand("view", "the interactive viewer: fly around a scene, switch what it shows and costs");
     declare_scene_options(*sub, arguments->given, false);
@@ -56,7 +64,7 @@ void add_view(CLI::App& app, int&) {
     sub->add_option("--log", arguments->log, "what happens, a line each, into this file")->type_name("FILE");
     sub->add_flag("--no-vsync", arguments->no_vsync, "frames of the window do not wait for the screen");
     sub->add_flag("--list-keys", arguments->list_keys, "print the keys as a Markdown table, and end");
-    sub->callback([arguments] { run_viewer(*arguments); });
+    sub->callback([arguments, &code] { code = run_viewer(*arguments); });
 }
 
 } // namespace lightbench

@@ -2,8 +2,10 @@
 
 #include "app/command_line.h"
 #include "app/errors.h"
+#include "app/interrupt.h"
 #include "app/validation.h"
 #include "app/view/camera.h"
+#include "app/view/panel_rows.h"
 #include "gpu/validation.h"
 #include "image/files.h"
 
@@ -14,9 +16,8 @@ namespace lightbench::view {
 namespace {
 
 constexpr Action kFlights[] = {Action::forward, Action::back, Action::left, Action::right, Action::up, Action::down};
-constexpr double kSpeed = 0.6;   // scene radii a second
-constexpr double kTap = 0.05;    // seconds that a key counts that is let go at once
-constexpr unsigned kPanel = 330; // interface.cpp
+constexpr double kSpeed = 0.6; // scene radii a second
+constexpr double kTap = 0.05;  // seconds that a key counts that is let go at once
 
 glm::dvec3 direction_of(Action action) {
     switch (action) {
@@ -54,7 +55,8 @@ Interface::~Interface() {
 
 Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
     : options_(options), log_(options.log), opened_(std::move(opened)), state_(start(options.scene.request, opened_)),
-      window_(fmt::format("{} - lightbench", opened_.file.filename().string()), opened_.size, kPanel), file_(options.scene.allow_outside) {
+      window_(fmt::format("{} - lightbench", opened_.file.filename().string()), opened_.size, static_cast<unsigned>(kPanelWidth)),
+      file_(options.scene.allow_outside) {
     state_.vsync = options.vsync;
     style_interface(window_.scale());
     presenter_.emplace(window_.handle(), device.info().name);
@@ -66,8 +68,9 @@ Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
 }
 
 void Viewer::run() {
-    while (!state_.quit && !window_.closing()) step();
-    log_.say("quit");
+    while (!state_.quit && !window_.closing() && !Interrupt::came()) step();
+    window_.hide(); // what is still being done may take a while to end
+    log_.say("quit after {} frames", frames_);
 }
 
 void Viewer::close() {
@@ -109,13 +112,14 @@ void Viewer::take_input(const Input& input) {
 }
 
 void Viewer::act(Action action) {
-    log_.say("action {}", row_of(action).help);
     if (const glm::dvec3 way = direction_of(action); way != glm::dvec3(0)) {
         view::fly(state_.camera, way * (kSpeed * kTap * radius_of(opened_.bounds)));
+        log_.say("action {}:", row_of(action).help);
         return camera_moved();
     }
     const Camera before = state_.camera;
     apply(action, state_, opened_, size_.y > 0 ? double(size_.x) / size_.y : 1);
+    log_.say("action {}: {}", row_of(action).help, setting_of(action, state_));
     if (!(state_.camera == before)) camera_moved();
 }
 
@@ -167,7 +171,8 @@ void Viewer::take_news() {
     const auto before = news_.answer;
     news_ = worker_->news();
     if (news_.answer && news_.answer != before)
-        log_.say("answered {} rays{}", news_.answer->probe ? news_.answer->probe->rays.size() : 0, news_.answer->problem);
+        state_.scroll = true,
+        log_.say("answered {} rays {}", news_.answer->probe ? news_.answer->probe->rays.size() : 0, news_.answer->problem);
     if (first_ && news_.shots[0] && news_.shots[0]->pixels) {
         first_ = false;
         log_.say("first-frame {:.0f} ms", since_start_.milliseconds());
@@ -201,17 +206,9 @@ void Viewer::ask_for_pictures() {
     news_ = worker_->news();
 }
 
-void Viewer::inspect(glm::uvec2 pixel) {
-    Request request = request_of(state_, state_.active, size_);
-    if (request.crop) pixel += request.crop->offset;
-    request.crop = Rect{pixel, {1, 1}};
-    request.output = Output::radiance, request.sampling = Sampling::none, request.spp = 1;
-    worker_->ask({{opened_.scene, opened_.version}, request, pixel});
-    log_.say("click {},{}", pixel.x, pixel.y);
-    RadiosityParameters& radiosity = state_.side().radiosity;
-    if (request.method != Method::radiosity) return;
-    radiosity.pick = pixel;
-    if (radiosity.show == Show::light || radiosity.show == Show::patches) radiosity.show = Show::form_factors;
+// One line for the panel, and what is shown when a hand rests on it.
+void Viewer::say(std::string line, std::string more) {
+    message_ = {std::move(line), std::move(more)};
 }
 
 std::vector<std::string> Viewer::render_words(unsigned side) const {
@@ -224,7 +221,8 @@ std::vector<std::string> Viewer::render_words(unsigned side) const {
 std::string Viewer::command(unsigned side) const {
     std::vector<std::string> words = render_words(side);
     words.push_back("-o"), words.push_back("picture.png");
-    return shell_line(words);
+    const bool edited = live_news_.tree_edited && live_news_.good;
+    return (edited ? fmt::format("LIGHTBENCH_SHADERS={} ", shell_line({shader_sources(true).string()})) : "") + shell_line(words);
 }
 
 void Viewer::save_screenshot() {
@@ -233,10 +231,11 @@ void Viewer::save_screenshot() {
     const std::string path = free_name(options_.screenshots);
     try {
         write_png(path, *news_.shots[side]->pixels);
-        message_ = fmt::format("saved {}{}", path, state_.wireframe || state_.normals ? " (without the lines over it)" : "");
+        say(fmt::format("saved {}", std::filesystem::path(path).filename().string()),
+            path + (state_.wireframe || state_.normals ? "\nwithout the lines over it" : ""));
         log_.say("screenshot {}", path);
     } catch (const FileError& error) {
-        message_ = error.what();
+        say("the screenshot cannot be saved", error.what());
         log_.say("problem {}", error.what());
     }
 }
@@ -245,7 +244,7 @@ void Viewer::save_screenshot() {
 void Viewer::do_pending() {
     if (state_.copy) {
         ImGui::SetClipboardText(command(state_.active).c_str());
-        message_ = "copied: " + command(state_.active);
+        say("copied the command", command(state_.active));
         log_.say("copied {}", command(state_.active));
         state_.copy = false;
     }

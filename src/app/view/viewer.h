@@ -55,6 +55,9 @@ class Viewer {
     void take_shaders();
     void tell_swap();
     Swap shaders() const;
+    Trial trial() const;
+    bool awaits_shaders() const;
+    void say(std::string line, std::string more = "");
     std::vector<std::string> shader_words() const;
     std::vector<std::string> run_words() const;
     void fly();
@@ -62,6 +65,7 @@ class Viewer {
     void act(Action action);
     void ask_for_pictures();
     void inspect(glm::uvec2 pixel);
+    std::shared_ptr<const Answer> answer() const;
     void do_pending();
     void save_screenshot();
     void draw();
@@ -71,7 +75,7 @@ class Viewer {
     std::string command(unsigned side) const;
     std::vector<std::string> render_words(unsigned side) const;
     bool moving() const { return Clock::now() - moved_ < std::chrono::milliseconds(150); }
-    bool settled() const { return !news_.busy && !moving() && size_ == wanted_size_; }
+    bool settled() const { return !news_.busy && !moving() && size_ == wanted_size_ && !awaits_shaders(); }
 
     const ViewOptions& options_;
     Log log_;
@@ -89,10 +93,11 @@ class Viewer {
     Wish wished_{};
     std::array<std::shared_ptr<const Image8>, 2> on_screen_{};
     std::vector<std::string> problems_, recent_;
-    std::string message_;
+    Message message_{};
     glm::uvec2 size_{0}, wanted_size_{0}; // of the picture; the wanted one is taken once the window rests
     Clock::time_point sized_{}, moved_{}, flown_{};
-    std::uint64_t told_ = 0; // of News::settled
+    std::uint64_t told_ = 0;   // of News::settled
+    std::uint64_t frames_ = 0; // of the window
     bool first_ = true, minimized_ = false;
     Stopwatch since_start_{};
 };

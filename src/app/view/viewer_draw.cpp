@@ -41,9 +41,11 @@ void Viewer::draw() {
     const Request& side = state_.sides[0];
     const PictureArea area = picture_area(state_, {window.x, window.y}, window_.scale(), side.crop ? side.crop->size : size_);
     const std::string devices = "renders on " + worker_->device_info().name;
-    const Shown shown{opened_, news_, problems_, recent_, message_, file_.reading(), devices, live_news_};
+    const Shown shown{opened_, news_, problems_, recent_, message_, file_.reading(), devices, live_news_, answer()};
     Hand hand;
+    const bool wiping = state_.drag == Drag::wipe;
     handle_mouse(state_, area, hand);
+    if (wiping && state_.drag != Drag::wipe) log_.say("wiped {:.3f}", state_.wipe);
     draw_interface(state_, shown, area, window_.scale(), hand);
     ImGui::Render();
     for (unsigned i = 0; i < 2; ++i)
@@ -51,6 +53,7 @@ void Viewer::draw() {
     if (state_.split && state_.map != Map::wipe && news_.versus)
         show_picture(0, state_.map == Map::flip ? news_.versus->flip_map : news_.versus->difference);
     presenter_->present(placements(area));
+    if (++frames_ % 500 == 0) log_.say("frames {}", frames_);
     for (const Action action : hand.actions) act(action);
     if (hand.camera) camera_moved();
     if (hand.click) inspect(*hand.click);

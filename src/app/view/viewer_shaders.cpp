@@ -7,13 +7,21 @@
 #include <fmt/ranges.h>
 
 namespace lightbench::view {
+namespace {
+
+std::string slider_text(const LiveNews& news) {
+    if (news.sliders == SliderState::locked) return "locked: " + news.locked;
+    return news.sliders == SliderState::free ? "free" : "trying";
+}
+
+} // namespace
 
 // Without sources there is nothing to edit, which matters only to those who named files or sliders.
 void Viewer::watch_shaders() {
     const SceneOptions& scene = options_.scene;
-    state_.sliders = scene.sliders;
+    state_.sliders = state_.first_sliders = scene.sliders;
     const bool asked = !scene.shaders.empty() || !scene.sliders.empty();
-    const std::filesystem::path sources = asked ? shader_sources() : find_shader_sources();
+    const std::filesystem::path sources = shader_sources(asked);
     if (!sources.empty()) live_.emplace(sources, scene.shaders, scene.sliders, [] { Window::wake(); });
 }
 
@@ -29,20 +37,33 @@ std::vector<std::string> Viewer::shader_words() const {
     std::vector<std::string> words;
     for (const auto& file : options_.scene.shaders) words.push_back("--shader"), words.push_back(file.string());
     if (!live_news_.good) return words;
-    const gpu::Constants constants = constants_of(*live_news_.good, state_.sliders);
+    const gpu::Constants constants = shaders().constants;
     for (const Slider& slider : live_news_.good->sliders)
         if (const auto value = std::bit_cast<float>(constants.at(slider.constant)); value != slider.value)
             words.push_back("--slider"), words.push_back(fmt::format("{}={}", slider.name, decimal(value)));
     return words;
 }
 
+// Values that hands chose count once any value has been tried.
 Swap Viewer::shaders() const {
-    return live_news_.good ? Swap{live_news_.good, constants_of(*live_news_.good, state_.sliders)} : Swap{};
+    if (!live_news_.good) return {};
+    const auto& values = live_news_.sliders == SliderState::free ? state_.sliders : live_news_.values;
+    return {live_news_.good, constants_of(*live_news_.good, values)};
+}
+
+Trial Viewer::trial() const {
+    Trial trial{opened_.file, run_words(), {request_of(state_, state_.split ? 0 : state_.active, size_)}, state_.sliders};
+    if (state_.split) trial.requests.push_back(request_of(state_, 1, size_));
+    return trial;
+}
+
+bool Viewer::awaits_shaders() const {
+    return live_ && news_.used && is_awaited(live_news_, *news_.used, trial());
 }
 
 void Viewer::take_shaders() {
     if (!live_) return;
-    live_->tell({opened_.file, run_words(), request_of(state_, state_.active, size_), state_.sliders}, news_.used);
+    if (size_.x > 0) live_->tell(trial(), news_.used);
     LiveNews now = live_->news();
     if (now.number != live_news_.number) {
         const auto text = [](const ShaderErrors& errors) {
@@ -55,6 +76,8 @@ void Viewer::take_shaders() {
             for (const ShaderError& error : now.errors)
                 log_.say("shader-error {}:{}: {} | {}", error.file, error.line, error.message, error.text);
         if (after.empty() && !before.empty()) log_.say("shaders-mended");
+        if (now.doing != live_news_.doing && !now.doing.empty()) log_.say("shaders: {}", now.doing);
+        if (now.good && now.sliders != live_news_.sliders) log_.say("sliders {}", slider_text(now));
         live_news_ = std::move(now);
     }
     tell_swap();
@@ -69,8 +92,9 @@ void Viewer::tell_swap() {
     const std::string more = names.size() > most ? fmt::format(" and {} more", names.size() - most) : "";
     names.resize(std::min(names.size(), most));
     const double seconds = std::chrono::duration<double>(Clock::now() - live_news_.seen).count();
-    message_ = fmt::format("swapped {}{} in {:.1f} s", fmt::join(names, ", "), more, seconds);
-    log_.say("{}", message_);
+    say(fmt::format("swapped {} shader{} in {:.1f} s", live_news_.changed.size(), live_news_.changed.size() == 1 ? "" : "s", seconds),
+        fmt::format("{}", fmt::join(live_news_.changed, "\n")));
+    log_.say("swapped {}{} in {:.2f} s", fmt::join(names, ", "), more, seconds);
 }
 
 } // namespace lightbench::view

@@ -92,6 +92,11 @@ void Window::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 
+void Window::hide() {
+    glfwHideWindow(window_);
+    glfwPollEvents();
+}
+
 void Window::wake() {
     glfwPostEmptyEvent();
 }

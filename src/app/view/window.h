@@ -32,6 +32,7 @@ class Window {
     glm::ivec2 framebuffer() const; // pixels; 0: minimised
     float scale() const;            // of the interface, on screens with more pixels than usual
     void set_title(const std::string& title);
+    void hide();
     static void wake(); // from any thread: ends wait()
 
   private:

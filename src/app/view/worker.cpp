@@ -147,14 +147,14 @@ void Worker::take(const Wish& wish) {
 // False: it is not wanted any more.
 bool Worker::shoot(const Wish& wish, unsigned side) {
     const Request& request = wish.sides[side];
-    const auto first_use = [&] { publish([](News& news) { news.doing = "compiling: first use of this variant"; }); };
+    const auto doing = [&](const char* text) { publish([text](News& news) { news.doing = text; }); };
     const auto show = [&](std::shared_ptr<Shot> shot) {
         if (shot->pixels && (wish.wireframe || wish.normals)) mark(*shot, *wish.scene.scene, wish.wireframe, wish.normals);
         publish([&](News& news) { news.shots[side] = std::move(shot), news.shaders = wish.shaders.set, news.problem.clear(); });
     };
     std::shared_ptr<Shot> shot;
     if (wish.moving) {
-        shot = stage_->render_moving(wish.scene, request, first_use);
+        shot = stage_->render_moving(wish.scene, request, doing);
     } else {
         RenderOptions options;
         options.stop = [&] { return superseded(wish); };
@@ -165,7 +165,7 @@ bool Worker::shoot(const Wish& wish, unsigned side) {
             if (so_far.pixels) pass->pixels = std::make_shared<const Image8>(*so_far.pixels);
             publish([&](News& news) { news.shots[side] = pass; });
         };
-        shot = stage_->render(wish.scene, request, options, first_use);
+        shot = stage_->render(wish.scene, request, options, doing);
         if (!shot->whole && superseded(wish)) return false;
     }
     show(std::move(shot));
