@@ -3,7 +3,8 @@
 #include "app/numbers.h"
 #include "app/view/camera.h"
 #include "app/view/keys.h"
-#include "app/view/state.h"
+#include "app/view/live.h"
+#include "app/view/panel_rows.h"
 
 #include <fstream>
 #include <gmock/gmock.h>
@@ -30,8 +31,112 @@ TEST(Keys, ReadmeAndOverlaySayWhatTheTableDoes) {
     std::ifstream file(LIGHTBENCH_SOURCE "/README.md");
     const std::string readme{std::istreambuf_iterator<char>(file), {}};
     EXPECT_THAT(readme, HasSubstr(keys_markdown())) << "lightbench view --list-keys prints what belongs there";
-    for (const KeyRow& row : keys()) EXPECT_THAT(keys_text(), HasSubstr(fmt::format("{:<24}{}\n", row.shortcut, row.help)));
-    EXPECT_EQ(std::ranges::count(keys_text(), '\n'), static_cast<std::ptrdiff_t>(keys().size() + gestures().size()));
+    const auto shown = help_lines();
+    for (const KeyRow& row : keys())
+        EXPECT_TRUE(std::ranges::any_of(shown, [&](const HelpLine& line) {
+            return std::string(line.key) == row.shortcut && std::string(line.help) == row.help;
+        })) << row.shortcut;
+    EXPECT_EQ(shown.size(), keys().size() + gestures().size());
+}
+
+Opened opened_ball() {
+    Scene scene;
+    scene.materials.emplace_back(), scene.objects.push_back({Sphere{}});
+    return open_scene("ball.toml", scene, {}, 1);
+}
+
+// Each action over and over: every setting that a button can show.
+TEST(Panel, NoTextIsWiderThanItsButton) {
+    const Opened opened = opened_ball();
+    std::size_t actions = 0;
+    for (const Method method : {Method::raster, Method::raytrace, Method::radiosity})
+        for (const Rows part : {Rows::scene, Rows::surfaces, Rows::detail, Rows::compare})
+            for (const Row& row : rows_of(part))
+                for (const Action action : row) {
+                    State state = start({}, opened);
+                    state.side().method = method, state.side().radiosity.pick = glm::uvec2(0), state.split = true, ++actions;
+                    for (int i = 0; i < 8; ++i, apply(action, state, opened, 1))
+                        EXPECT_LE(static_cast<float>(button_text(action, state).size()) * kLetter + 2 * kFramePadding,
+                                  button_width(row.size()))
+                            << button_text(action, state);
+                }
+    EXPECT_GT(actions, 60u);
+}
+
+TEST(State, ResetBringsBackAllThatIsShown) {
+    const Opened opened = opened_ball();
+    State state = start({}, opened);
+    state.sliders = state.first_sliders = {{"gain", 0.25f}};
+    for (const Action action : {Action::wireframe, Action::normals, Action::split, Action::map, Action::flat, Action::raytrace})
+        apply(action, state, opened, 1);
+    state.sliders = {{"gain", 1.0f}, {"other", 2.0f}}, state.wipe = 0.9f;
+    orbit(state.camera, {1, 0.2});
+    apply(Action::reset, state, opened, 1);
+    EXPECT_EQ(state.sliders, state.first_sliders);
+    EXPECT_FALSE(state.split || state.wireframe || state.normals);
+    EXPECT_EQ(state.wipe, 0.5f);
+    EXPECT_EQ(state.map, Map::wipe);
+    EXPECT_EQ(state.active, 0u);
+    EXPECT_TRUE(state.sides[0] == state.first && state.camera == opened.camera);
+}
+
+// All that an action may change.
+std::string fingerprint(State s) {
+    std::string text = text_of(s.camera);
+    for (unsigned side = 0; side < 2; ++side) text += shell_line(options_of(request_of(s, side, {64, 48})));
+    for (const KeyRow& row : keys()) text += fmt::format("|{}", setting_of(row.action, s));
+    return text + fmt::format("{}{}{}{}{}", s.panel, s.help, s.copy, s.screenshot, s.quit);
+}
+
+TEST(State, EveryActionChangesSomethingSomewhere) {
+    Scene scene;
+    Material m;
+    m.specular = glm::vec3(0.5f), m.texture = Texture{}, m.bump = Bump{}, m.bump->function = BumpFunction::waves;
+    m.opacity = glm::vec3(0.5f), m.transmission = glm::vec3(0.2f), m.environment = 0.3f, m.reflection = glm::vec3(0.4f);
+    scene.materials = {m}, scene.objects.push_back({Sphere{}}), scene.lights.push_back(Light{});
+    const Opened opened = open_scene("ball.toml", scene, {}, 1);
+    for (const KeyRow& row : keys()) {
+        if (row.group == Group::fly) continue; // while keys are held
+        bool changes = false;
+        for (const Method method : {Method::raster, Method::raytrace, Method::radiosity}) {
+            State state = start({}, opened);
+            state.side().method = method, state.side().subdivide = 2, state.side().spp = 4, state.wireframe = true;
+            if (row.action == Action::side || row.action == Action::map) apply(Action::split, state, opened, 1);
+            orbit(state.camera, {1, 0.2});
+            const std::string before = fingerprint(state);
+            apply(row.action, state, opened, 1);
+            changes |= fingerprint(state) != before;
+        }
+        EXPECT_TRUE(changes) << row.help;
+    }
+}
+
+TEST(State, AFrameOfTheTurntableIsWhereItStarts) {
+    Scene scene;
+    scene.materials.emplace_back(), scene.objects.push_back({Sphere{}});
+    Request turned;
+    turned.frame = 30;
+    EXPECT_FALSE(open_scene("ball.toml", scene, turned, 1).camera == opened_ball().camera);
+}
+
+// Shaders of a method that was left do not hold up what is shown.
+TEST(LiveShaders, AreAwaitedWhereThePictureUsesThem) {
+    Trial trial;
+    trial.requests = {{}};
+    LiveNews news;
+    news.pending = {"raster/surface.frag"};
+    EXPECT_TRUE(is_awaited(news, {"raster/surface.frag"}, trial));
+    EXPECT_FALSE(is_awaited(news, {"raytrace/eye.comp"}, trial));
+    std::swap(news.pending, news.ready);
+    EXPECT_TRUE(is_awaited(news, {"raster/surface.frag"}, trial)) << "compiled, not tried";
+    news.tried = key_of(trial);
+    EXPECT_FALSE(is_awaited(news, {"raster/surface.frag"}, trial)) << "tried, and not used by this picture";
+    trial.requests[0].placed = Camera{};
+    EXPECT_FALSE(is_awaited(news, {"raster/surface.frag"}, trial)) << "from elsewhere";
+    trial.requests[0].shading = Shading::flat;
+    EXPECT_TRUE(is_awaited(news, {"raster/surface.frag"}, trial)) << "other shaders may run";
+    news.errors.push_back({});
+    EXPECT_FALSE(is_awaited(news, {"raster/surface.frag"}, trial)) << "nothing is going to come";
 }
 
 // What parse_scene_options() makes of the words.

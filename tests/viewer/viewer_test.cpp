@@ -4,6 +4,7 @@
 #include "app/view/keys.h"
 
 #include <fstream>
+#include <gmock/gmock.h>
 #include <random>
 
 namespace lightbench::viewer {
@@ -38,6 +39,8 @@ material = "red"
 translate = [1.4, 0, 0]
 )";
 
+using ::testing::HasSubstr;
+
 class Driven : public Viewer {
   protected:
     std::string scene(const std::string& text = kBallAndBox) const {
@@ -68,7 +71,7 @@ TEST_F(Driven, StartsShowsAndSavesWhatRenderRenders) {
     EXPECT_EQ(rendered(expect("copied ")), bytes_of(path));
     key("2"), key("l"), key("period"), key("period"); // Gouraud, another law, nine samples
     expect("settled");
-    tool("mousemove --window " + window + " 380 60 mousedown 1 sleep 0.3 mousemove_relative 37 21 sleep 0.3 mouseup 1"); // orbit
+    tool("mousemove --window " + window + " 416 60 mousedown 1 sleep 0.3 mousemove_relative 37 21 sleep 0.3 mouseup 1"); // orbit
     expect("settled");
     key("F12");
     const std::string other = expect("screenshot ");
@@ -81,7 +84,7 @@ TEST_F(Driven, StartsShowsAndSavesWhatRenderRenders) {
 TEST_F(Driven, RaysFromAnywhereAreTheBytesOfRender) {
     start({"--method", "raytrace"}, scene());
     expect("settled");
-    tool("mousemove --window " + window + " 400 60 click 4 click 4"); // nearer
+    tool("mousemove --window " + window + " 436 60 click 4 click 4"); // nearer
     expect("settled");
     key("w"), key("a");
     expect("settled");
@@ -104,7 +107,7 @@ TEST_F(Driven, EveryKeyDoesSomethingAndNothingBreaks) {
         if (name == "Ctrl+C") name = "ctrl+c";
         if (name.size() == 1) name[0] = static_cast<char>(std::tolower(name[0]));
         key(name);
-        EXPECT_EQ(expect("action "), row.help);
+        EXPECT_EQ(expect("action ").rfind(std::string(row.help) + ":", 0), 0u) << row.shortcut;
     }
     key("4");
     expect("settled", 50);
@@ -118,17 +121,28 @@ TEST_F(Driven, SidesAreWipedAndComparedAndAPixelExplained) {
     key("1"); // side B flat
     expect("settled");
     tool("mousemove --window " + window +
-         " 410 60 mousedown 1 sleep 0.3 mousemove_relative -- -30 0 sleep 0.3 mouseup 1"); // the line of the wipe
-    key("z"), key("z"), key("z");
+         " 446 60 mousedown 1 sleep 0.3 mousemove_relative -- -30 0 sleep 0.3 mouseup 1"); // the line of the wipe
+    EXPECT_NEAR(std::stod(expect("wiped ")), 0.5 - 30.0 / 160, 0.05);
+    for (const char* map : {"difference", "FLIP", "wipe"}) {
+        key("z");
+        EXPECT_THAT(expect("action "), HasSubstr(fmt::format(": {}", map)));
+    }
     key("c");
-    tool("mousemove --window " + window + " 405 60 click 1");
+    expect("settled");
+    tool("mousemove --window " + window + " 441 60 click 1");
     expect("click ");
-    expect("answered ");
+    EXPECT_GE(std::stoi(expect("answered ")), 1) << "rays";
     key("6");
     expect("settled", 50);
-    tool("mousemove --window " + window + " 405 60 click 1");
+    key("ctrl+c");
+    const std::string light = expect("copied ");
+    forget();
+    tool("mousemove --window " + window + " 441 60 click 1");
     expect("click ");
     expect("settled", 50);
+    key("ctrl+c");
+    EXPECT_THAT(expect("copied "), HasSubstr("--show form-factors")) << light;
+    EXPECT_EQ(log().find("answered", log().rfind("click ")), std::string::npos) << "no ray is traced for a patch";
     expect_clean_end();
 }
 
@@ -181,7 +195,7 @@ TEST_F(Driven, TwoHundredInputsAtRandomEndWithCodeZero) {
     std::string words;
     for (int i = 0; i < 200; ++i) {
         const unsigned kind = random() % 4;
-        const std::string at = fmt::format("{} {}", random() % 480, random() % 120);
+        const std::string at = fmt::format("{} {}", random() % 520, random() % 120);
         if (kind < 2) words += " key " + names[random() % names.size()];
         if (kind == 2) words += " mousemove --window " + window + " " + at + " click " + std::to_string(1 + random() % 5);
         if (kind == 3) words += " mousemove --window " + window + " " + at + " mousedown 1 mousemove_relative 9 5 mouseup 1";

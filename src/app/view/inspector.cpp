@@ -20,7 +20,7 @@ const Shot* shot_of(const Shown& shown, const State& state) {
 }
 
 void line(const std::string& text) {
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextWrapped("%s", text.c_str());
 }
 
 void draw_hit(const ProbedHit& hit, const Scene& scene) {
@@ -35,7 +35,7 @@ void draw_hit(const ProbedHit& hit, const Scene& scene) {
 
 void draw_ray(const Probe& probe, std::size_t index, const Scene& scene) {
     const ProbedRay& ray = probe.rays[index];
-    const std::string title = fmt::format("{} ray, weight {}##{}", ray.kind, text_of(ray.weight), index);
+    const std::string title = fmt::format("{}, weight {}##{}", ray.kind, text_of(ray.weight), index);
     if (!ImGui::TreeNodeEx(title.c_str(), index == 0 ? ImGuiTreeNodeFlags_DefaultOpen : 0)) return;
     line(fmt::format("level {}, radiance {}", ray.level, text_of(ray.radiance)));
     if (ray.hit)
@@ -57,7 +57,9 @@ unsigned color_of(const std::string& kind) {
 
 void draw_times(const Shown& shown, const State& state) {
     const Shot* shot = shot_of(shown, state);
-    ImGui::TextDisabled("%s", shown.devices.c_str());
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    line(shown.devices);
+    ImGui::PopStyleColor();
     if (shot == nullptr) return;
     line(fmt::format("{:.1f} ms on the device, {:.1f} in all{}", shot->output.device_milliseconds, shot->milliseconds,
                      shot->coarse ? ", in motion" : ""));
@@ -76,18 +78,16 @@ void draw_plan(const Shown& shown, const State& state) {
     ImGui::EndChild();
 }
 
-void draw_inspector(const Shown& shown) {
-    const Answer& answer = *shown.news.answer;
+void draw_inspector(const Answer& answer) {
     line(fmt::format("pixel {}, {}", answer.question.pixel.x, answer.question.pixel.y));
     if (!answer.problem.empty()) ImGui::TextWrapped("%s", answer.problem.c_str());
     if (answer.probe && !answer.probe->rays.empty()) draw_ray(*answer.probe, 0, *answer.question.scene.scene);
 }
 
 void draw_rays(const Shown& shown, const State& state, const PictureArea& area) {
-    const auto& answer = shown.news.answer;
+    const auto& answer = shown.answer;
     const Shot* shot = shot_of(shown, state);
     if (!answer || !answer->probe || shot == nullptr || shot->view.size.x == 0) return;
-    if (answer->question.scene.version != shown.opened.version) return; // of another scene
     const Rect part = shot->plan.crop;
     const glm::dvec2 zoom = glm::dvec2(area.size) / glm::dvec2(part.size);
     const auto place = [&](const glm::dvec3& p) -> std::optional<ImVec2> {

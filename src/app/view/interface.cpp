@@ -1,55 +1,39 @@
 #include "app/view/interface.h"
+#include "app/view/panel_rows.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
 
 namespace lightbench::view {
 namespace {
 
-constexpr float kPanelWidth = 330, kLeastPicture = 120; // at scale 1
+constexpr float kLeastPicture = 120; // at scale 1
 
 // A button that shows what its key does and how it stands; greyed with the reason where it does nothing.
 void action_button(Action action, const State& state, const Opened& opened, Hand& hand, float width) {
-    const KeyRow& row = row_of(action);
     const auto reason = unavailable(action, state, opened);
-    const std::string setting = setting_of(action, state);
-    const bool on = setting == "on";
-    const std::string text = fmt::format("{}  [{}]{}{}", row.label, row.shortcut, setting.empty() || on || setting == "off" ? "" : "  ",
-                                         setting == "on" || setting == "off" ? "" : setting);
+    const bool on = setting_of(action, state) == "on";
     if (reason) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4f);
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.16f, 0.44f, 0.72f, 1));
-    if (ImGui::Button(fmt::format("{}##{}", text, static_cast<int>(action)).c_str(), ImVec2(width, 0)) && !reason)
+    if (ImGui::Button(fmt::format("{}##{}", button_text(action, state), static_cast<int>(action)).c_str(), ImVec2(width, 0)) && !reason)
         hand.actions.push_back(action);
     if (on) ImGui::PopStyleColor();
     if (reason) ImGui::PopStyleVar();
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s%s%s", row.help, reason ? "\nnothing to do: " : "", reason ? reason->c_str() : "");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s%s%s", row_of(action).help, reason ? "\nnothing to do: " : "", reason ? reason->c_str() : "");
 }
 
-void action_row(std::initializer_list<Action> actions, const State& state, const Opened& opened, Hand& hand) {
-    const auto n = static_cast<float>(actions.size());
-    const float space = ImGui::GetStyle().ItemSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - (n - 1) * space) / n;
-    bool first = true;
-    for (const Action action : actions) {
-        if (!first) ImGui::SameLine();
-        action_button(action, state, opened, hand, width);
-        first = false;
+void draw_rows(Rows part, const State& state, const Opened& opened, Hand& hand) {
+    for (const Row& row : rows_of(part)) {
+        const auto n = static_cast<float>(row.size());
+        const float width = (ImGui::GetContentRegionAvail().x - (n - 1) * ImGui::GetStyle().ItemSpacing.x) / n;
+        for (const Action& action : row) {
+            if (&action != &row.front()) ImGui::SameLine();
+            action_button(action, state, opened, hand, width);
+        }
     }
-}
-
-void draw_settings(const State& s, const Opened& o, Hand& hand) {
-    using A = Action;
-    if (s.split) ImGui::Text("the keys set side %s", s.active == 0 ? "A (left)" : "B (right)");
-    action_row({A::raster, A::raytrace, A::radiosity}, s, o, hand);
-    action_row({A::flat, A::gouraud, A::phong}, s, o, hand);
-    action_row({A::model}, s, o, hand);
-    action_row({A::attenuation}, s, o, hand);
-    ImGui::Spacing();
-    action_row({A::texture, A::bump}, s, o, hand);
-    action_row({A::environment, A::reflection}, s, o, hand);
-    action_row({A::transparency}, s, o, hand);
-    action_row({A::wireframe, A::normals}, s, o, hand);
 }
 
 // What there is of: less, how much, more.
@@ -78,12 +62,11 @@ void draw_detail(const State& s, const Opened& o, Hand& hand) {
     stepper("samples a pixel", A::samples_less, A::samples_more, s, o, hand);
     stepper("ray depth", A::depth_less, A::depth_more, s, o, hand);
     stepper("hemi-cube pixels", A::hemicube_less, A::hemicube_more, s, o, hand);
-    action_row({A::structure, A::show}, s, o, hand);
+    draw_rows(Rows::detail, s, o, hand);
 }
 
 void draw_compare(const State& s, const Shown& shown, Hand& hand) {
-    action_row({Action::split, Action::side}, s, shown.opened, hand);
-    action_row({Action::map}, s, shown.opened, hand);
+    draw_rows(Rows::compare, s, shown.opened, hand);
     if (!s.split) return;
     for (std::size_t i = 0; i < 2; ++i)
         if (const auto& shot = shown.news.shots[i]) ImGui::Text("%c  %.1f ms on the device", "AB"[i], shot -> output.device_milliseconds);
@@ -93,13 +76,24 @@ void draw_compare(const State& s, const Shown& shown, Hand& hand) {
         ImGui::TextDisabled("compared once both are at rest");
 }
 
+// As high as ever, whatever there is to say: what lies below stays where it is.
+void draw_message(const Message& message) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.6f, 0.85f, 0.6f, 1));
+    ImGui::TextUnformatted(message.line.empty() ? " " : message.line.c_str());
+    ImGui::PopStyleColor();
+    if (ImGui::IsItemHovered() && !message.more.empty()) {
+        ImGui::BeginTooltip();
+        ImGui::PushTextWrapPos(40 * ImGui::GetFontSize());
+        ImGui::TextUnformatted(message.more.c_str());
+        ImGui::PopTextWrapPos();
+        ImGui::EndTooltip();
+    }
+}
+
 void draw_scene(const State& s, const Shown& shown, Hand& hand) {
     ImGui::TextWrapped("%s", shown.opened.file.filename().string().c_str());
-    action_row({Action::copy}, s, shown.opened, hand);
-    action_row({Action::screenshot}, s, shown.opened, hand);
-    action_row({Action::frame, Action::reset, Action::vsync}, s, shown.opened, hand);
-    action_row({Action::help, Action::panel}, s, shown.opened, hand);
-    if (!shown.message.empty()) ImGui::TextWrapped("%s", shown.message.c_str());
+    draw_message(shown.message);
+    draw_rows(Rows::scene, s, shown.opened, hand);
     if (ImGui::TreeNode("recent files")) {
         for (const std::string& file : shown.recent) {
             if (ImGui::Selectable(std::filesystem::path(file).filename().string().c_str())) hand.open = file;
@@ -128,26 +122,32 @@ std::string note(const Shown& shown) {
     return news.progress > 0 ? fmt::format("{} {:.0f} %", news.doing, 100 * news.progress) : news.doing;
 }
 
-void draw_note(const Shown& shown, const PictureArea& area) {
-    const std::string text = note(shown);
+// Over the picture, at its top or at its bottom, as wide as the room is at most.
+void draw_text_over(const std::string& text, const PictureArea& area, bool bottom) {
     if (text.empty()) return;
-    const ImVec2 at(area.room_at.x + 8, area.room_at.y + 8), size = ImGui::CalcTextSize(text.c_str());
+    const float wrap = std::max(area.room.x - 16, 32.0f);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 at(area.room_at.x + 8, bottom ? area.room_at.y + area.room.y - 8 - size.y : area.room_at.y + 8);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled(ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 4, at.y + size.y + 3), IM_COL32(0, 0, 0, 190), 3);
-    list->AddText(at, IM_COL32(255, 220, 130, 255), text.c_str());
+    list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, IM_COL32(255, 220, 130, 255), text.c_str(), nullptr, wrap);
 }
 
-void draw_help(State& state, const PictureArea& area) {
-    if (!state.help) return;
-    const ImVec2 middle(area.room_at.x + area.room.x / 2, area.room_at.y + area.room.y / 2);
-    ImGui::SetNextWindowPos(middle, ImGuiCond_Always, ImVec2(0.5f, 0.5f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImVec2(std::max(area.room.x - 16, 32.0f), std::max(area.room.y - 16, 32.0f)));
-    ImGui::Begin("keys", &state.help,
-                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings);
-    const std::string text = keys_text();
-    ImGui::TextUnformatted(text.c_str(), text.c_str() + text.size());
-    ImGui::End();
+void draw_note(const Shown& shown, const PictureArea& area) {
+    draw_text_over(note(shown), area, false);
+}
+
+// What colors mean that are not light.
+void draw_legend(const State& state, const PictureArea& area) {
+    const Request& side = state.side();
+    if (side.method != Method::radiosity) return;
+    const char* const texts[] = {
+        "", "patches, a color each; their elements in two shades",
+        "form factors of the patch that was clicked, blue: how much of its light arrives. From white, the most, over yellow and red to "
+        "black, a "
+        "ten thousandth or nothing. J: its hemi-cube, the light; click: another patch",
+        "the hemi-cube of the patch that was clicked: its five faces unfolded, each pixel in the color of the patch that is seen there"};
+    draw_text_over(texts[static_cast<std::size_t>(side.radiosity.show)], area, true);
 }
 
 // A line between the sides, and their names.
@@ -166,17 +166,21 @@ void draw_panel(State& state, const Shown& shown, float width, float height, Han
     ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::Begin("panel", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysVerticalScrollbar);
     draw_problems(shown);
     constexpr ImGuiTreeNodeFlags open = ImGuiTreeNodeFlags_DefaultOpen;
     if (ImGui::CollapsingHeader("scene", open)) draw_scene(state, shown, hand);
-    if (ImGui::CollapsingHeader("light and surfaces", open)) draw_settings(state, shown.opened, hand);
+    if (ImGui::CollapsingHeader("light and surfaces", open)) {
+        if (state.split) ImGui::Text("the keys set side %s", state.active == 0 ? "A (left)" : "B (right)");
+        draw_rows(Rows::surfaces, state, shown.opened, hand);
+    }
     if (ImGui::CollapsingHeader("how finely", open)) draw_detail(state, shown.opened, hand);
     if (ImGui::CollapsingHeader("side by side", open)) draw_compare(state, shown, hand);
     if (shown.live.good && (!shown.live.good->sliders.empty() || shown.live.tree_edited) &&
         ImGui::CollapsingHeader("shader constants", open))
         draw_sliders(state, shown);
-    if (shown.news.answer && ImGui::CollapsingHeader("rays of a pixel", open)) draw_inspector(shown);
+    if (std::exchange(state.scroll, false)) ImGui::SetNextItemOpen(true), ImGui::SetScrollHereY(0);
+    if (shown.answer && ImGui::CollapsingHeader("rays of a pixel", open)) draw_inspector(*shown.answer);
     if (ImGui::CollapsingHeader("times", open)) draw_times(shown, state);
     if (ImGui::CollapsingHeader("plan")) draw_plan(shown, state);
     ImGui::End();
@@ -192,7 +196,8 @@ void style_interface(float scale) {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0, style.WindowBorderSize = 0, style.FrameRounding = 2;
-    style.WindowPadding = ImVec2(8, 8), style.ItemSpacing = ImVec2(6, 4);
+    style.WindowPadding = ImVec2(kPanelPadding, 8), style.ItemSpacing = ImVec2(kSpacing, 4);
+    style.FramePadding = ImVec2(kFramePadding, 3), style.ScrollbarSize = kScrollBar, style.IndentSpacing = 10;
     style.WindowMinSize = ImVec2(1, 1);
     style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.11f, 0.125f, 1);
     style.Colors[ImGuiCol_Button] = ImVec4(0.22f, 0.23f, 0.26f, 1);
@@ -216,10 +221,11 @@ void draw_interface(State& state, const Shown& shown, const PictureArea& area, f
     draw_wipe(state, area);
     draw_rays(shown, state, area);
     draw_note(shown, area);
+    draw_legend(state, area);
     draw_shader_errors(shown, area);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     if (has_panel(state, {window.x, window.y}, scale)) draw_panel(state, shown, kPanelWidth * scale, window.y, hand);
-    draw_help(state, area);
+    draw_help(state, scale);
 }
 
 } // namespace lightbench::view

@@ -22,15 +22,21 @@ struct Hand {
     bool camera = false;             // was moved
 };
 
+// About what was done last: a line, and what there is to say besides.
+struct Message {
+    std::string line{}, more{};
+};
+
 struct Shown {
     const Opened& opened;
     const News& news;
     const std::vector<std::string>& problems; // of the scene file, and of what else went wrong
     const std::vector<std::string>& recent;
-    const std::string& message; // about what was done last
+    const Message& message;
     bool reading = false;
     std::string devices;
     const LiveNews& live;
+    std::shared_ptr<const Answer> answer; // of what is shown; null: there is none
 };
 
 void style_interface(float scale);
@@ -45,12 +51,13 @@ void draw_interface(State& state, const Shown& shown, const PictureArea& area, f
 void handle_mouse(State& state, const PictureArea& area, Hand& hand);
 
 // Parts of the panel.
-void draw_inspector(const Shown& shown);
+void draw_inspector(const Answer& answer);
 void draw_rays(const Shown& shown, const State& state, const PictureArea& area);
 void draw_times(const Shown& shown, const State& state);
+void draw_plan(const Shown& shown, const State& state);
 void draw_sliders(State& state, const Shown& shown);
 // Over the picture.
 void draw_shader_errors(const Shown& shown, const PictureArea& area);
-void draw_plan(const Shown& shown, const State& state);
+void draw_help(State& state, float scale);
 
 } // namespace lightbench::view

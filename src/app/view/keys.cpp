@@ -40,7 +40,7 @@ constexpr KeyRow kKeys[] = {
     {A::side,           GLFW_KEY_TAB,           0, "Tab", "side", "the keys set the other side", G::compare},
     {A::map,            GLFW_KEY_Z,             0, "Z", "map", "where the sides differ: wipe, difference, FLIP", G::compare},
     {A::frame,          GLFW_KEY_F,             0, "F", "frame", "bring the whole scene into view", G::window},
-    {A::reset,          GLFW_KEY_R,             0, "R", "reset", "back to the camera and the settings at the start", G::window},
+    {A::reset,          GLFW_KEY_R,             0, "R", "reset", "back to the camera and the settings at the start: one side, no lines, sliders as given", G::window},
     {A::panel,          GLFW_KEY_P,             0, "P", "panel", "fold the panel away, bring it back", G::window},
     {A::help,           GLFW_KEY_H,             0, "H", "help", "this list", G::window},
     {A::copy,           GLFW_KEY_C,             GLFW_MOD_CONTROL, "Ctrl+C", "copy command", "copy the command line that renders this very picture", G::window},
@@ -88,17 +88,17 @@ const KeyRow* find_key(int key, int modifiers) {
     return nullptr;
 }
 
+std::vector<HelpLine> help_lines() {
+    std::vector<HelpLine> lines;
+    for (const KeyRow& row : kKeys) lines.push_back({row.shortcut, row.help});
+    for (const MouseRow& row : kGestures) lines.push_back({row.gesture, row.help});
+    return lines;
+}
+
 std::string keys_markdown() {
     std::string text = "| key | |\n|---|---|\n";
     for (const KeyRow& row : kKeys) text += fmt::format("| `{}` | {} |\n", row.shortcut, row.help);
     for (const MouseRow& row : kGestures) text += fmt::format("| {} | {} |\n", row.gesture, row.help);
-    return text;
-}
-
-std::string keys_text() {
-    std::string text;
-    for (const KeyRow& row : kKeys) text += fmt::format("{:<24}{}\n", row.shortcut, row.help);
-    for (const MouseRow& row : kGestures) text += fmt::format("{:<24}{}\n", row.gesture, row.help);
     return text;
 }
 

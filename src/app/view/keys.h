@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace lightbench::view {
 
@@ -40,7 +41,11 @@ const KeyRow* find_key(int key, int modifiers);
 
 // "| key | |", a row each, as the README has it.
 std::string keys_markdown();
-// "key  what it does", a line each, as the overlay shows it.
-std::string keys_text();
+// Keys and gestures, as the overlay shows them.
+struct HelpLine {
+    const char* key;
+    const char* help;
+};
+std::vector<HelpLine> help_lines();
 
 } // namespace lightbench::view

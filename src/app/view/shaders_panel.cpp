@@ -7,20 +7,27 @@
 
 namespace lightbench::view {
 
+// Names stand above: there they have room.
 void draw_sliders(State& state, const Shown& shown) {
     const std::vector<Slider>& sliders = shown.live.good->sliders;
+    const bool free = shown.live.sliders == SliderState::free;
+    ImGui::BeginDisabled(!free);
     for (const Slider& slider : sliders) {
         const auto known = state.sliders.find(slider.name);
         float value = known == state.sliders.end() ? slider.value : std::clamp(known->second, slider.least, slider.most);
-        ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x * 0.6f);
-        if (ImGui::SliderFloat(fmt::format("{}##{}", slider.name, slider.constant).c_str(), &value, slider.least, slider.most, "%.4g",
+        ImGui::TextWrapped("%s", slider.name.c_str());
+        ImGui::SetNextItemWidth(-1);
+        if (ImGui::SliderFloat(fmt::format("##{}", slider.constant).c_str(), &value, slider.least, slider.most, "%.4g",
                                ImGuiSliderFlags_AlwaysClamp))
             state.sliders[slider.name] = value;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s\nControl and a click: type the value", slider.file.c_str());
     }
     if (!sliders.empty() && ImGui::Button("first values")) state.sliders.clear();
+    ImGui::EndDisabled();
+    if (shown.live.sliders == SliderState::trying && !sliders.empty()) ImGui::TextDisabled("their ends are being tried aside");
+    if (shown.live.sliders == SliderState::locked) ImGui::TextWrapped("they stay where they are: %s", shown.live.locked.c_str());
     if (shown.live.tree_edited)
-        ImGui::TextWrapped("the folder of shaders itself was edited: the copied command needs a program built from it");
+        ImGui::TextWrapped("the folder of shaders is not the one that the program was built from: the copied command names it");
 }
 
 void draw_shader_errors(const Shown& shown, const PictureArea& area) {

@@ -119,7 +119,10 @@ void apply_window(Action action, State& s, const Opened& opened, double aspect) 
     case Action::wireframe: s.wireframe = !s.wireframe; break;
     case Action::normals: s.normals = !s.normals; break;
     case Action::frame: frame(s.camera, opened.bounds, aspect); break;
-    case Action::reset: s.camera = opened.camera, s.sides = {s.first, s.first}; break;
+    case Action::reset:
+        s.camera = opened.camera, s.sides = {s.first, s.first}, s.sliders = s.first_sliders;
+        s.split = s.wireframe = s.normals = false, s.active = 0, s.wipe = 0.5f, s.map = Map::wipe;
+        break;
     case Action::panel: s.panel = !s.panel; break;
     case Action::help: s.help = !s.help; break;
     case Action::copy: s.copy = true; break;

@@ -33,6 +33,7 @@ Opened open_scene(std::filesystem::path file, Scene scene, const Request& reques
 struct State {
     std::array<Request, 2> sides{}; // without size and camera
     Request first{};                // the settings at the start
+    std::map<std::string, float> first_sliders{};
     std::optional<glm::uvec2> size; // asked for; else the window's
     unsigned active = 0;            // side that the keys set
     bool split = false;
@@ -43,6 +44,7 @@ struct State {
     Drag drag = Drag::none;
     std::map<std::string, float> sliders{}; // values of shader constants, also of those that are gone for a while
     bool copy = false, screenshot = false;  // asked for, not done yet
+    bool scroll = false;                    // the panel to what a click told
     Request& side() { return sides[active]; }
     const Request& side() const { return sides[active]; }
 };

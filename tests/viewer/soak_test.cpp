@@ -1,0 +1,74 @@
+// Ten thousand frames under random toggles: memory stays what it was, and nothing is left of the device's objects in the end.
+#include "screen.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <random>
+
+namespace lightbench::viewer {
+namespace {
+
+const char* const kBall = R"([film]
+width = 96
+height = 72
+[[light]]
+type = "point"
+position = [3, 4, 5]
+intensity = 6
+[[material]]
+name = "red"
+diffuse = [0.7, 0.1, 0.1]
+specular = 0.5
+texture = { checker = true }
+[[object]]
+shape = "sphere"
+material = "red"
+)";
+
+class Soak : public Viewer {
+  protected:
+    // The last of "frames N".
+    unsigned long frames() const {
+        const std::string text = log();
+        const std::size_t at = text.rfind("frames ");
+        return at == std::string::npos ? 0 : std::stoul(text.substr(at + 7));
+    }
+    // MiB that are in memory.
+    double resident() const {
+        const std::string pid = output_of("pgrep -f -o 'view .*" + folder.filename().string() + "'");
+        std::ifstream statm("/proc/" + pid.substr(0, pid.find('\n')) + "/statm");
+        double all = 0, pages = 0;
+        statm >> all >> pages;
+        return pages * 4096 / (1 << 20);
+    }
+    // Presses keys at random until so many frames have been drawn.
+    void toggle_until(unsigned long last) {
+        const char* const keys[] = {"1", "2", "3", "t", "x", "n", "h", "c", "Tab", "z", "y"};
+        while (frames() < last && !HasFailure()) {
+            std::string words = "key --delay 8";
+            for (int i = 0; i < 200; ++i) words += fmt::format(" {}", keys[random() % std::size(keys)]);
+            tool(words);
+            if (++batches > 5000) FAIL() << "no frames are drawn";
+        }
+    }
+    std::mt19937 random{11};
+    int batches = 0;
+};
+
+TEST_F(Soak, TenThousandFramesLeaveMemoryAsItWas) {
+    if (IsSkipped()) return;
+    if (std::getenv("LIGHTBENCH_LONG_TESTS") == nullptr) GTEST_SKIP() << "LIGHTBENCH_LONG_TESTS is not set";
+    std::ofstream(folder / "scene.toml") << kBall;
+    start({}, (folder / "scene.toml").string());
+    toggle_until(3000); // each variant has been used
+    const double before = resident();
+    toggle_until(13000);
+    const double after = resident();
+    fmt::print("resident: {:.1f} MiB after 3000 frames, {:.1f} MiB after 13000: {:+.2f} %\n", before, after, 100 * (after / before - 1));
+    EXPECT_GT(before, 50);
+    EXPECT_LT(after, 1.01 * before);
+    EXPECT_EQ(quit(), 0) << "validation had something to say, perhaps of objects that are left";
+}
+
+} // namespace
+} // namespace lightbench::viewer
