@@ -47,6 +47,7 @@ TEST_F(Cli, StatsHoldEveryField) {
     EXPECT_TRUE(stats["rays"].is_null() && stats["tests"].is_null() && stats["radiosity"].is_null() &&
                 stats["time"]["accel_build"].is_null());
     EXPECT_EQ(stats["image"]["non_finite"], 0);
+    EXPECT_THAT(stats["shaders"].get<std::vector<std::string>>(), Contains("raster/surface.frag"));
     EXPECT_GT(stats["memory"]["host_peak"], 1 << 20);
     EXPECT_GT(stats["memory"]["device_peak"], 64 * 48 * 16);
 }

@@ -168,6 +168,19 @@ TEST_F(LiveShaders, FilesThatCannotBeReadSayWhy) {
     EXPECT_THAT(message(), HasSubstr("is empty"));
 }
 
+TEST_F(LiveShaders, SlidersInFilesWithWindowsLineEnds) {
+    const std::string rest = "\r\nfloat lambert(vec3 n, vec3 l) {\r\n    return k;\r\n}\r\n";
+    const fs::path mine = write("mine.glsl", "const float k = 1.0; // @slider(0, 2)" + rest);
+    const auto good = ShaderTree(folder / "shaders", {mine}).compile({"raster/surface.frag"});
+    EXPECT_THAT(good.errors, IsEmpty());
+    EXPECT_EQ(good.sliders.size(), 1u);
+    write("mine.glsl", "const float k = 1.0; // @slider(0, 2, 0.5)" + rest);
+    const auto wrong = ShaderTree(folder / "shaders", {mine}).compile({"raster/surface.frag"});
+    ASSERT_EQ(wrong.errors.size(), 1u);
+    EXPECT_EQ(wrong.errors[0].file, mine.string());
+    EXPECT_EQ(wrong.errors[0].line, 1u);
+}
+
 TEST_F(LiveShaders, CompilingStopsWhenAsked) {
     const auto compiled = ShaderTree(folder / "shaders").compile({"raytrace/shade.comp"}, std::chrono::seconds(20), [] { return true; });
     EXPECT_TRUE(compiled.stopped);

@@ -56,6 +56,12 @@ ShaderError linked(const std::string& message, const std::string& next, const st
     return origins.error_at(entry_point, 0, more ? fmt::format("{} {}", message, plain_name(next)) : message);
 }
 
+// The first of a line: what is said of it later follows from that.
+void add_first(ShaderErrors& errors, const ShaderError& error) {
+    const auto same_line = [&](const ShaderError& e) { return e.file == error.file && e.line == error.line && e.line > 0; };
+    if (std::ranges::none_of(errors, same_line)) add_error(errors, error);
+}
+
 bool knows(const ShaderErrors& errors, const std::string& message) {
     return std::ranges::find(errors, message, &ShaderError::message) != errors.end();
 }
@@ -63,7 +69,7 @@ bool knows(const ShaderErrors& errors, const std::string& message) {
 } // namespace
 
 ShaderError Origins::error_at(std::string file, unsigned line, std::string message) const {
-    if (file.starts_with(stage)) file = file.substr(stage.size() + 1);
+    if (!stage.empty() && file.starts_with(stage)) file = file.substr(stage.size() + 1);
     ShaderError error{file, line, std::move(message), ""};
     if (const auto text = texts.find(file); text != texts.end() && line > 0) error.text = line_of(text->second, line);
     if (const auto user = user_files.find(file); user != user_files.end())
@@ -93,7 +99,7 @@ bool read_errors(const std::string& said, const std::string& entry_point, const 
         if (!line.starts_with("ERROR: ") || says_nothing(line)) continue;
         line.erase(line.find_last_not_of(" \t\r") + 1);
         if (line.size() < 2000 && std::regex_match(line, match, located))
-            placed = true, add_error(errors, origins.error_at(match[1], static_cast<unsigned>(std::stoul(match[2])), match[3]));
+            placed = true, add_first(errors, origins.error_at(match[1], static_cast<unsigned>(std::stoul(match[2])), match[3]));
         else
             of_linker.push_back(linked(line.substr(7), lines[i + 1], entry_point, origins));
     }
