@@ -100,6 +100,7 @@ TEST(State, EveryActionChangesSomethingSomewhere) {
         bool changes = false;
         for (const Method method : {Method::raster, Method::raytrace, Method::radiosity}) {
             State state = start({}, opened);
+            if (row.action == Action::phong) state.side().shading = Shading::flat;
             state.side().method = method, state.side().subdivide = 2, state.side().spp = 4, state.wireframe = true;
             if (row.action == Action::side || row.action == Action::map) apply(Action::split, state, opened, 1);
             orbit(state.camera, {1, 0.2});

@@ -35,7 +35,7 @@ class Sliders : public testing::Test {
     }
     // Along the slider, which stands below its name.
     void drag(float from, float to) {
-        const float y = 8 + ImGui::GetFontSize() + 4 + 8;
+        constexpr float y = 8 + 13 + 4 + 8; // padding, a line of text, spacing, half of it
         for (int i = 0; i < 2; ++i) frame(ImVec2(from, y), false);
         frame(ImVec2(from, y), true);
         for (int i = 0; i < 5; ++i) frame(ImVec2(to, y), true);
