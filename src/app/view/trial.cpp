@@ -15,9 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Few pixels and samples, one shot: every pipeline of the picture runs, and little more.
+// Few pixels and samples, one shot: every pipeline of the picture runs, and little more. The rasteriser's is drawn at once and cannot be given
+// up half-way: of it enough pixels are drawn to tell how long all would take.
 Request small(Request r) {
-    r.size = glm::uvec2(64, 36), r.crop.reset();
+    r.size = r.method == Method::raster ? glm::uvec2(256, 144) : glm::uvec2(64, 36), r.crop.reset();
     r.spp = std::min(r.spp, 4u), r.max_level = std::min(r.max_level, 1u);
     r.radiosity.shots = 1, r.radiosity.pick.reset(), r.radiosity.show = Show::light;
     r.radiosity.hemicube = std::min(r.radiosity.hemicube, 16u);
@@ -37,6 +38,12 @@ std::vector<std::string> options_for(const Trial& trial, const Request& request)
     return words;
 }
 
+// Seconds that all pixels take if these took so long.
+double seconds_of(const Request& request, double small_milliseconds) {
+    const glm::uvec2 all = request.crop ? request.crop->size : request.size.value_or(glm::uvec2(0)), few = *small(request).size;
+    return small_milliseconds / 1000 * (double(all.x) * all.y) / (double(few.x) * few.y);
+}
+
 Tried try_picture(const Trial& trial, const Request& request, const fs::path& folder, const std::function<bool()>& stop) {
     std::vector<std::string> words = {"/proc/self/exe", "render", trial.scene.string()};
     for (std::string& word : options_for(trial, request)) words.push_back(std::move(word));
@@ -52,8 +59,11 @@ Tried try_picture(const Trial& trial, const Request& request, const fs::path& fo
     if (child.code != 0) return {fmt::format("{} failed: {}", picture, last_line(child.err))};
     Tried tried;
     const auto stats = nlohmann::json::parse(child.out, nullptr, false);
-    if (stats.is_object() && stats.contains("shaders"))
-        for (const auto& name : stats["shaders"]) tried.used.insert(name.get<std::string>());
+    if (!stats.is_object()) return {fmt::format("{} said nothing of itself", picture)};
+    for (const auto& name : stats["shaders"]) tried.used.insert(name.get<std::string>());
+    if (const double all = request.method == Method::raster ? seconds_of(request, stats["time"]["device"].get<double>()) : 0;
+        all > kMostSeconds)
+        return {fmt::format("{} took so long that the picture shown would take about {:.0f} s", picture, all)};
     return tried;
 }
 

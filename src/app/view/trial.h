@@ -28,6 +28,7 @@ std::string key_of(const Trial& trial);
 
 // Radiosity makes more pipelines, and a first shot.
 constexpr std::chrono::seconds kTrialLimit(5), kRadiosityTrialLimit(15);
+constexpr double kMostSeconds = 30; // of a picture that cannot be given up half-way
 
 struct Tried {
     std::string problem{};        // why these cannot be used; empty: they drew the pictures
