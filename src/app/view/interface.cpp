@@ -122,32 +122,28 @@ std::string note(const Shown& shown) {
     return news.progress > 0 ? fmt::format("{} {:.0f} %", news.doing, 100 * news.progress) : news.doing;
 }
 
-// Over the picture, at its top or at its bottom, as wide as the room is at most.
-void draw_text_over(const std::string& text, const PictureArea& area, bool bottom) {
+// Over the picture, at its top, as wide as the room is at most. Errors have its bottom.
+void draw_text_over(const std::string& text, const PictureArea& area) {
     if (text.empty()) return;
     const float wrap = std::max(area.room.x - 16, 32.0f);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
-    const ImVec2 at(area.room_at.x + 8, bottom ? area.room_at.y + area.room.y - 8 - size.y : area.room_at.y + 8);
+    const ImVec2 at(area.room_at.x + 8, area.room_at.y + 8);
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled(ImVec2(at.x - 4, at.y - 3), ImVec2(at.x + size.x + 4, at.y + size.y + 3), IM_COL32(0, 0, 0, 190), 3);
     list->AddText(ImGui::GetFont(), ImGui::GetFontSize(), at, IM_COL32(255, 220, 130, 255), text.c_str(), nullptr, wrap);
 }
 
-void draw_note(const Shown& shown, const PictureArea& area) {
-    draw_text_over(note(shown), area, false);
-}
-
 // What colors mean that are not light.
-void draw_legend(const State& state, const PictureArea& area) {
+std::string legend(const State& state) {
     const Request& side = state.side();
-    if (side.method != Method::radiosity) return;
+    if (side.method != Method::radiosity) return "";
     const char* const texts[] = {
         "", "patches, a color each; their elements in two shades",
         "form factors of the patch that was clicked, blue: how much of its light arrives. From white, the most, over yellow and red to "
         "black, a "
         "ten thousandth or nothing. J: its hemi-cube, the light; click: another patch",
         "the hemi-cube of the patch that was clicked: its five faces unfolded, each pixel in the color of the patch that is seen there"};
-    draw_text_over(texts[static_cast<std::size_t>(side.radiosity.show)], area, true);
+    return texts[static_cast<std::size_t>(side.radiosity.show)];
 }
 
 // A line between the sides, and their names.
@@ -157,8 +153,9 @@ void draw_wipe(const State& state, const PictureArea& area) {
     ImDrawList* list = ImGui::GetBackgroundDrawList();
     list->AddLine(ImVec2(x, area.at.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 220), 2);
     list->AddCircleFilled(ImVec2(x, area.at.y + area.size.y / 2), 6, IM_COL32(255, 255, 255, 220));
-    list->AddText(ImVec2(x - 18, bottom - 20), IM_COL32(255, 255, 255, 255), "A");
-    list->AddText(ImVec2(x + 11, bottom - 20), IM_COL32(255, 255, 255, 255), "B");
+    const float middle = area.at.y + area.size.y / 2 - ImGui::GetFontSize() / 2;
+    list->AddText(ImVec2(x - 18, middle), IM_COL32(255, 255, 255, 255), "A");
+    list->AddText(ImVec2(x + 11, middle), IM_COL32(255, 255, 255, 255), "B");
 }
 
 void draw_panel(State& state, const Shown& shown, float width, float height, Hand& hand) {
@@ -220,8 +217,8 @@ PictureArea picture_area(const State& state, glm::vec2 window, float scale, std:
 void draw_interface(State& state, const Shown& shown, const PictureArea& area, float scale, Hand& hand) {
     draw_wipe(state, area);
     draw_rays(shown, state, area);
-    draw_note(shown, area);
-    draw_legend(state, area);
+    const std::string colors = legend(state), waiting = note(shown);
+    draw_text_over(colors + (colors.empty() || waiting.empty() ? "" : "\n") + waiting, area);
     draw_shader_errors(shown, area);
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     if (has_panel(state, {window.x, window.y}, scale)) draw_panel(state, shown, kPanelWidth * scale, window.y, hand);

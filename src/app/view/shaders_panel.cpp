@@ -47,7 +47,9 @@ void draw_shader_errors(const Shown& shown, const PictureArea& area) {
         ImGui::PopStyleColor();
         if (!error.text.empty()) ImGui::TextWrapped("    %s", error.text.c_str());
     }
-    ImGui::TextDisabled("the picture is drawn by the last shaders that were good");
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped("the picture is drawn by the last shaders that were good");
+    ImGui::PopStyleColor();
     ImGui::End();
 }
 

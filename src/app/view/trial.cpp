@@ -50,7 +50,7 @@ Tried try_picture(const Trial& trial, const Request& request, const fs::path& fo
     for (const std::string& word : {std::string("--quiet"), std::string("--spirv"), (folder / "spirv").string(), std::string("--stats"),
                                     std::string("-"), std::string("-o"), (folder / "trial.png").string()})
         words.push_back(word);
-    const auto limit = request.method == Method::radiosity ? kRadiosityTrialLimit : kTrialLimit;
+    const auto limit = request.method == Method::raster ? kTrialLimit : kLongTrialLimit;
     const ChildResult child = run_child(words, "", limit, stop);
     const std::string picture = "a first small picture, drawn aside,";
     if (child.stopped) return {"", {}, true};

@@ -26,8 +26,8 @@ struct Trial {
 // Trials of one key run the same shaders: cameras and sizes are left out.
 std::string key_of(const Trial& trial);
 
-// Radiosity makes more pipelines, and a first shot.
-constexpr std::chrono::seconds kTrialLimit(5), kRadiosityTrialLimit(15);
+// The second is for rays and radiosity, which make many pipelines.
+constexpr std::chrono::seconds kTrialLimit(5), kLongTrialLimit(15);
 constexpr double kMostSeconds = 30; // of a picture that cannot be given up half-way
 
 struct Tried {
