@@ -116,12 +116,14 @@ void Viewer::TearDown() {
     if (!folder.empty()) fs::remove_all(folder);
 }
 
-void Viewer::start(const std::vector<std::string>& options, const std::string& scene) {
+void Viewer::start(const std::vector<std::string>& options, const std::string& scene, bool validation) {
     std::vector<std::string> words = {LIGHTBENCH_PROGRAM,        "view",          scene,          "--log",
                                       (folder / "log").string(), "--screenshots", folder.string()};
     words.insert(words.end(), options.begin(), options.end());
-    program_ = Process(words, {{"DISPLAY", display_}, {"LIGHTBENCH_VALIDATION", "1"}, {"XDG_STATE_HOME", (folder / "state").string()}},
-                       folder / "errors");
+    program_ = Process(
+        words, {{"DISPLAY", display_}, {"LIGHTBENCH_VALIDATION", validation ? "1" : "0"}, {"XDG_STATE_HOME", (folder / "state").string()}},
+        folder / "errors");
+    read_ = 0, window.clear();
     expect("first-frame", 40);
     for (int i = 0; i < 100 && window.empty(); ++i) {
         window = tool("search --onlyvisible --name lightbench");

@@ -32,7 +32,7 @@ class Viewer : public ::testing::Test {
     void SetUp() override; // skips where the tools are missing
     void TearDown() override;
 
-    void start(const std::vector<std::string>& options, const std::string& scene);
+    void start(const std::vector<std::string>& options, const std::string& scene, bool validation = true);
     // xdotool WORDS on that screen; what it prints.
     std::string tool(const std::string& words) const;
     void key(const std::string& name) const; // as xdotool calls it
