@@ -137,7 +137,7 @@ TEST_F(Edited, GoodAndBrokenInTurnNeverEndIt) {
     }
     std::ranges::sort(seconds);
     fmt::print("from save to swap: median {:.2f} s, slowest {:.2f} s of {}\n", seconds[seconds.size() / 2], seconds.back(), seconds.size());
-    EXPECT_LT(seconds[seconds.size() / 2], 3) << "1 s where nothing else runs";
+    EXPECT_LT(seconds[seconds.size() / 2], 5) << "1 s where nothing else runs; a trial that is waited for takes longer";
     EXPECT_EQ(quit(), 0);
 }
 
