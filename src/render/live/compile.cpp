@@ -99,6 +99,8 @@ CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, s
     for (const std::string& name : entry_points)
         if (!sources_.texts.contains(name))
             add_error(result.errors, origins.error_at(name, 0, "is gone"));
+        else if (sources_.texts.at(name).find_first_not_of(" \t\r\n") == std::string::npos && !spoilt.contains(name))
+            add_error(result.errors, origins.error_at(name, 0, "is empty"));
         else if (!spoilt.contains(name))
             present.insert(name);
     std::vector<Output> outputs = compile_all(stage.path, present, limit, stop);

@@ -94,13 +94,15 @@ bool read_errors(const std::string& said, const std::string& entry_point, const 
     ShaderErrors of_linker;
     bool placed = false;
     std::smatch match;
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+    bool included = true; // else what is missing is missed all over
+    for (std::size_t i = 0; i + 1 < lines.size() && included; ++i) {
         std::string& line = lines[i];
+        included = line.find("Could not process include directive") == line.npos;
         if (!line.starts_with("ERROR: ") || says_nothing(line)) continue;
         line.erase(line.find_last_not_of(" \t\r") + 1);
         if (line.size() < 2000 && std::regex_match(line, match, located))
             placed = true, add_first(errors, origins.error_at(match[1], static_cast<unsigned>(std::stoul(match[2])), match[3]));
-        else
+        else if (of_linker.empty())
             of_linker.push_back(linked(line.substr(7), lines[i + 1], entry_point, origins));
     }
     if (!placed)
