@@ -8,7 +8,7 @@
 namespace lightbench::viewer {
 namespace {
 
-const char* const kBall = R"([film]
+const char* const kSmallBall = R"([film]
 width = 96
 height = 72
 [[light]]
@@ -28,7 +28,7 @@ material = "red"
 class Soak : public Viewer {
   protected:
     std::string scene() const {
-        std::ofstream(folder / "scene.toml") << kBall;
+        std::ofstream(folder / "scene.toml") << kSmallBall;
         return (folder / "scene.toml").string();
     }
     // The last of "frames N".
