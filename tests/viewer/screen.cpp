@@ -108,6 +108,8 @@ void Viewer::SetUp() {
     display_ = ":" + text_of(folder / "display");
     display_.resize(display_.find_last_not_of('\n') + 1);
     manager_ = Process({"openbox", "--sm-disable"}, {{"DISPLAY", display_}}, folder / "manager");
+    // A window that is mapped while the manager comes up may never be told that it is visible, for which GLFW 3.3 waits without end.
+    for (int i = 0; i < 500 && std::atoi(tool("get_num_desktops").c_str()) < 1; ++i) nap();
 }
 
 void Viewer::TearDown() {
