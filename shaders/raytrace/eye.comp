@@ -1,4 +1,5 @@
-// Eye rays of a tile, one a pixel, or through listed points of the image. In: the camera. Out: the first generation of rays.
+// Eye rays of a tile, one a pixel, or through listed points of the image, where they are wanted before they are traced: trace.comp can make
+// those of a tile by itself. In: the camera. Out: the first generation of rays.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -6,9 +7,7 @@
 #include "shared/effects.h"
 #include "shared/rays.h"
 #include "fetch.glsl"
-#include "lib/vector.glsl"
 #include "raytrace/pack.glsl"
-#include "raytrace/tile.glsl"
 
 layout(constant_id = CONSTANT_RAY_EFFECTS) const uint kRayEffects = 0u;
 layout(local_size_x = 64) in;
@@ -20,21 +19,15 @@ layout(set = 0, binding = 40, scalar) writeonly buffer NextMedia { uvec4 next_me
 
 #define wants_ray(effect) ((kRayEffects & (effect)) != 0u) // a macro for the reason that shade.glsl gives
 
-#include "raytrace/sample.glsl"
+#define camera push
+#include "raytrace/eye.glsl"
 
-// Point of the image, pixels, (0, 0) its upper left corner; and what numbers of the ray are drawn from.
+// As tile_point().
 vec2 image_point(uint i, out uint key) {
-    if (wants_ray(RAY_LIST)) {
-        uvec4 p = fetch_eye_points(push.first + i);
-        key = p.z;
-        return uintBitsToFloat(p.xy);
-    }
-    uvec2 pixel = uvec2(push.tile_x, push.tile_y) + tile_pixel(i, uvec2(push.tile_size & 0xffffu, push.tile_size >> 16u));
-    vec2 within = push.shift;
-    key = 0u; // nothing is drawn from it
-    if (wants_ray(RAY_JITTER | RAY_SCATTER))
-        within = sample_within(pixel, push.sample_index, push.seed, push.shift, push.cell, key);
-    return vec2(ivec2(pixel)) + within; // pixels beside the image, which a wide filter sees, have negative coordinates too
+    if (!wants_ray(RAY_LIST)) return tile_point(i, key);
+    uvec4 p = fetch_eye_points(push.first + i);
+    key = p.z;
+    return uintBitsToFloat(p.xy);
 }
 
 void main() {
@@ -43,10 +36,8 @@ void main() {
     if (i >= push.count) return;
     uint key;
     vec2 at = image_point(i, key);
-    vec3 d = fast_normalize(push.corner + at.x * push.across + at.y * push.down);
-    float after = push.hither / max(dot(d, push.axis), 1.1754944e-38);
     uvec4 a, b, c;
-    pack_ray(Ray(push.eye, after, d, kNothing, 0.0, 1u | 7u << 8u, 1.0, key), a, b, c);
+    pack_ray(eye_ray(at, key), a, b, c);
     next_rays[kRayTexels * i] = a, next_rays[kRayTexels * i + 1u] = b, next_rays[kRayTexels * i + 2u] = c;
     if (wants_ray(RAY_REFRACTED)) next_media[i] = push.media;
 }

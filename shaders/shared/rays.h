@@ -38,6 +38,7 @@ using glm::uvec4;
 #define RAY_PACKETS 0x80000u                    // eight rays share one walk through the structure
 #define RAY_LIST 0x100000u                      // eye rays go through listed points, not through the pixels of a tile
 #define RAY_JITTER 0x200000u                    // S25
+#define RAY_EYE 0x400000u                       // the pass that traces eye rays makes them too
 
 #define RAY_SHAPES (RAY_BOXES | RAY_BALLS | RAY_CONES | RAY_TORI)
 
@@ -212,6 +213,14 @@ struct EyePush {
 struct FilmPush {
     uint tile_x, tile_y, tile_size;    // as EyePush; tile_x of a list: the first of its points
     uint count;
+};
+
+struct PixelsPush {
+    uint tile_x, tile_y, tile_size;    // as FilmPush
+    uint count;
+    uvec2 offset;                      // pixels, of the crop in the image
+    uint width;                        // of the crop
+    float gain;                        // 2^exposure
 };
 
 // S25: of one frame.

@@ -59,6 +59,11 @@ bool accumulates(const Plan& plan) {
     return !is_filtered(plan) && (plan.frames > 1 || plan.light_passes > 1);
 }
 
+// No image lies between the ray trees and what is shown.
+bool one_frame_is_all(const Plan& plan) {
+    return !is_adaptive(plan) && !is_filtered(plan) && !accumulates(plan);
+}
+
 std::string filter_reason(const Plan& plan) {
     return fmt::format("Gaussian, radius {:g}, sigma {:g}, of {}", plan.filter_width, plan.filter_sigma,
                        plan.frames == 1 ? "one sample a pixel"
@@ -118,6 +123,20 @@ void add_layers(std::vector<Pass>& passes, const Plan& plan, const Names& lit_re
                       {"radiance"}});
 }
 
+// Eye rays of pixels are made where they are traced.
+void add_trace(std::vector<Pass>& passes, const Plan& plan) {
+    const std::string each = "the nearest hit of each ray";
+    if (is_adaptive(plan)) {
+        passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays"}});
+        passes.push_back({"trace", each, {"rays", "primitives", "structure"}, {"hits"}});
+    } else {
+        passes.push_back({"trace",
+                          fmt::format("{}; eye rays one a pixel{}", each, samples(plan)),
+                          {"primitives", "structure"},
+                          {"rays", "hits"}});
+    }
+}
+
 // One generation of rays after the other; what a generation sends on is known when it has been shaded.
 std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     const bool smooth = plan.shading != Shading::flat;
@@ -127,14 +146,8 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
     if (plan.ray_effects & (RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) sent = joined(sent, {"rays", "ray-tree"});
     std::vector<Pass> passes;
     add_lattice(passes, plan);
-    if (is_adaptive(plan))
-        passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays"}});
-    else
-        passes.push_back({"eye-rays", fmt::format("one a pixel{}", samples(plan)), {}, {"rays"}});
-    passes.insert(passes.end(), {
-                                    {"trace", "the nearest hit of each ray", {"rays", "primitives", "structure"}, {"hits"}},
-                                    {"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent},
-                                });
+    add_trace(passes, plan);
+    passes.push_back({"shade", "surfaces that were hit, and the rays that they send on", surfaces, sent});
     Names lit = joined({"points", "rays"}, lit_reads);
     if (plan.ray_effects & RAY_SHADOWS) {
         passes.push_back({"shadow", "what stands before each light", {"points", "lights", "primitives", "structure"}, {"visibility"}});
@@ -145,7 +158,10 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
         passes.push_back({"gather", "the ray trees, from their leaves to their roots", {"ray-tree"}, {"ray-tree"}});
     add_film(passes, plan);
     if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
-    passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
+    if (one_frame_is_all(plan))
+        passes.push_back({"display", "their roots as pixels, " + display_reason(plan), {"ray-tree"}, {"pixels", "census"}});
+    else
+        passes.push_back({"display", display_reason(plan), {image_of(plan)}, {"pixels", "census"}});
     return passes;
 }
 

@@ -38,9 +38,16 @@ gpu::Image make_sum(gpu::Device& device, glm::uvec2 size) {
 
 void record_display(gpu::Recorder& recorder, Display& d, gpu::Image& radiance) {
     recorder.fill(d.census, 0);
+    d.shown = d.crop.size.x * d.crop.size.y;
     const gpu_layout::DisplayPush push{d.crop.offset, d.crop.size, std::exp2(d.exposure), 0, 0, 0};
     recorder.compute("display", d.display, {{"radiance", radiance}, {"Pixels", d.pixels}, {"CensusBlock", d.census}}, push,
                      groups_for(invocations(d)));
+}
+
+void clear_pixels(gpu::Recorder& recorder, Display& d) {
+    recorder.fill(d.census, 0);
+    recorder.fill(d.pixels, 0xff000000u);
+    d.shown = 0;
 }
 
 void record_accumulate(gpu::Recorder& recorder, Display& d, gpu::Image& frame, gpu::Image& sum, float weight, std::uint32_t mode) {
@@ -56,7 +63,7 @@ Image8 read_pixels(gpu::Device& device, Display& d, const Rect& crop) {
 
 std::uint64_t read_census(gpu::Device& device, Display& d) {
     const auto census = gpu::download_all<gpu_layout::Census>(device, d.census).front();
-    CHECK(census.visited == d.crop.size.x * d.crop.size.y, "while displaying: the driver left out pixels");
+    CHECK(census.visited == d.shown, "while displaying: the driver left out pixels");
     return census.non_finite;
 }
 

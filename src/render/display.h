@@ -13,12 +13,15 @@ struct Display {
     glm::uvec2 size{0};
     Rect crop{};
     float exposure = 0;
+    std::uint32_t shown = 0; // pixels that must have been visited
 };
 
 Display make_display(gpu::Device& device, const Plan& plan);
 gpu::Image make_sum(gpu::Device& device, glm::uvec2 size);
 
 void record_display(gpu::Recorder& recorder, Display& display, gpu::Image& radiance);
+// Black pixels, for passes that write some of them.
+void clear_pixels(gpu::Recorder& recorder, Display& display);
 void record_accumulate(gpu::Recorder& recorder, Display& display, gpu::Image& frame, gpu::Image& sum, float weight,
                        std::uint32_t mode); // ACCUMULATE_...
 

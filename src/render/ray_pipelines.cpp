@@ -20,6 +20,7 @@ const char* shader_of(RayPass pass) {
     case RayPass::gather: return "raytrace/gather.comp";
     case RayPass::film: return "raytrace/film.comp";
     case RayPass::film_points: return "raytrace/film_points.comp";
+    case RayPass::film_pixels: return "raytrace/film_pixels.comp";
     }
     return "";
 }
@@ -30,6 +31,7 @@ std::size_t push_of(RayPass pass) {
     case RayPass::gather: return sizeof(GatherPush);
     case RayPass::film:
     case RayPass::film_points: return sizeof(FilmPush);
+    case RayPass::film_pixels: return sizeof(PixelsPush);
     default: return sizeof(RayPush);
     }
 }

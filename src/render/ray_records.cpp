@@ -91,7 +91,17 @@ RayCounters TileTracer::submit() {
     return c;
 }
 
-void TileTracer::record_eye(const Tile& tile) {
+// Eye rays are made where they are traced, unless they must be there before: listed points are met by few of them, and walks that are put
+// down are taken up with the rays that they belong to.
+bool TileTracer::makes_eye_rays() const {
+    return generations_.size() <= 1 && !frame_.points && !w_.observe && !b_.walks;
+}
+
+std::uint32_t TileTracer::eye_effects() const {
+    return frame_.points ? RAY_LIST : frame_.cell > 0 ? RAY_JITTER : 0;
+}
+
+EyePush TileTracer::camera_of(const Tile& tile) {
     const View& view = frame_.view;
     const glm::dmat3 axes = glm::transpose(glm::dmat3(view.view_from_world)); // columns: right, up, back
     const double up = std::tan(view.fov / 2), right = up * view.size.x / view.size.y;
@@ -107,13 +117,24 @@ void TileTracer::record_eye(const Tile& tile) {
     push.tile_x = tile.x + static_cast<std::uint32_t>(frame_.origin.x), push.tile_y = tile.y + static_cast<std::uint32_t>(frame_.origin.y);
     push.tile_size = tile.packed(), push.count = tile.count(), push.first = tile.x;
     push.shift = frame_.shift, push.cell = frame_.cell, push.seed = w_.plan.seed, push.sample_index = frame_.sample;
+    return push;
+}
+
+void TileTracer::begin(const Tile& tile) {
+    camera_ = camera_of(tile);
     w_.recorder.fill(b_.counters, 0);
+    if (makes_eye_rays())
+        gpu::upload(w_.device, b_.camera, std::as_bytes(std::span(&camera_, 1)));
+    else
+        record_eye();
+}
+
+void TileTracer::record_eye() {
     gpu::Bindings bindings{{"NextRays", b_.rays[now_]}, {"Counters", b_.counters}};
     if (b_.media[now_]) bindings.emplace_back("NextMedia", b_.media[now_]);
     if (frame_.points) offer_table(bindings, "eye_points", *frame_.points);
-    const std::uint32_t more = frame_.points ? RAY_LIST : frame_.cell > 0 ? RAY_JITTER : 0;
-    w_.recorder.compute("eye-rays", pipeline_of(t_, w_, RayPass::eye, more), bindings, push, groups_of(push.count));
-    expected_ += push.count;
+    w_.recorder.compute("eye-rays", pipeline_of(t_, w_, RayPass::eye, eye_effects()), bindings, camera_, groups_of(camera_.count));
+    expected_ += camera_.count;
 }
 
 void TileTracer::record_trace(const Generation& g, std::uint32_t resume) {
@@ -122,7 +143,14 @@ void TileTracer::record_trace(const Generation& g, std::uint32_t resume) {
     gpu::Bindings bindings = with_structure({{"Hits", b_.hits}, {"HitRays", b_.hit_rays}, {"Tree", b_.tree}});
     offer_table(bindings, "rays", b_.rays[now_]);
     offer_table(bindings, "texels", w_.scene.texels);
-    compute("trace", RayPass::trace, std::move(bindings), push, b_.walks ? RAY_RESUME : packets());
+    std::uint32_t more = b_.walks ? RAY_RESUME : packets();
+    if (makes_eye_rays()) {
+        more |= RAY_EYE | eye_effects();
+        bindings.emplace_back("Camera", b_.camera);
+        bindings.emplace_back("EyeRays", b_.rays[now_]);
+        if (b_.media[now_]) bindings.emplace_back("EyeMedia", b_.media[now_]);
+    }
+    compute("trace", RayPass::trace, std::move(bindings), push, more);
 }
 
 void TileTracer::record_shade(const Generation& g) {
@@ -166,11 +194,21 @@ void TileTracer::gather_and_film(const Tile& tile, gpu::Image& image) {
     for (auto g = generations_.rbegin(); g != generations_.rend(); ++g)
         if (g->sends)
             w_.recorder.compute("gather", pipeline_of(t_, w_, RayPass::gather), tree, GatherPush{g->first, g->count}, groups_of(g->count));
+    if (w_.display) return record_pixels(tile);
     gpu::Bindings film = frame_.points ? gpu::Bindings{{"Lattice", *frame_.lattice}} : gpu::Bindings{{"frame", image}};
     offer_table(film, "tree", b_.tree);
     if (frame_.points) offer_table(film, "eye_points", *frame_.points);
     w_.recorder.compute("film", pipeline_of(t_, w_, frame_.points ? RayPass::film_points : RayPass::film), film,
                         FilmPush{tile.x, tile.y, tile.packed(), tile.count()}, groups_of(tile.count()));
+}
+
+void TileTracer::record_pixels(const Tile& tile) {
+    Display& d = *w_.display;
+    gpu::Bindings bindings{{"Pixels", d.pixels}, {"CensusBlock", d.census}};
+    offer_table(bindings, "tree", b_.tree);
+    const PixelsPush push{tile.x, tile.y, tile.packed(), tile.count(), d.crop.offset, d.crop.size.x, std::exp2(d.exposure)};
+    w_.recorder.compute("display", pipeline_of(t_, w_, RayPass::film_pixels), bindings, push, groups_of(tile.count()));
+    d.shown += tile.count();
 }
 
 } // namespace lightbench

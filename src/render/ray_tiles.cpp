@@ -40,7 +40,13 @@ std::optional<std::uint32_t> TileTracer::find_hits(const Generation& g) {
     record_trace(g, 0);
     RayCounters c = submit();
     if (c.unfinished == 0) return add(c), c.hits;
+    const bool made_there = makes_eye_rays();
     if (!make_walks(g.count)) return std::nullopt;
+    if (made_there) {
+        w_.recorder.fill(b_.counters, 0);
+        record_eye();
+        submit();
+    }
     until_done([&](std::uint32_t resume) { record_trace(g, resume); });
     w_.recorder.fill(b_.counters, 0);
     record_trace(g, kCollect);
@@ -116,7 +122,7 @@ void TileTracer::warm_up(gpu::Image& image) {
     w_.recorder.fill(b_.hit_rays, 0); // SwiftShader also loads for lanes that have returned: what is read as an index must be one
     w_.recorder.fill(b_.counters, 0);
     const Tile nothing{frame_.area.offset.x, frame_.area.offset.y, 0, 0};
-    record_eye(nothing);
+    begin(nothing);
     const Generation none{};
     for (const std::size_t generations : {1, 2}) { // rays that go together, and those that do not
         generations_.resize(generations);
@@ -135,7 +141,7 @@ void TileTracer::warm_up(gpu::Image& image) {
 bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
     generations_ = {{0, tile.count(), false}};
     now_ = 0, next_ = tile.count();
-    record_eye(tile);
+    begin(tile);
     for (std::size_t i = 0; i < generations_.size(); ++i) {
         const Generation g = generations_[i];
         if (w_.stopped()) return true;

@@ -28,7 +28,11 @@ class TileTracer {
     void warm_up(gpu::Image& image);
 
   private:
-    void record_eye(const Tile& tile);
+    bool makes_eye_rays() const;
+    std::uint32_t eye_effects() const;
+    gpu_layout::EyePush camera_of(const Tile& tile);
+    void begin(const Tile& tile);
+    void record_eye();
     bool run_generation(const Generation& g);
     void record_trace(const Generation& g, std::uint32_t resume);
     void record_shade(const Generation& g);
@@ -41,6 +45,7 @@ class TileTracer {
     bool make_walks(std::uint32_t count);
     void add(const gpu_layout::RayCounters& c);
     void gather_and_film(const Tile& tile, gpu::Image& image);
+    void record_pixels(const Tile& tile);
     gpu_layout::RayPush push_for(const Generation& g) const;
     gpu::Bindings with_structure(gpu::Bindings bindings);
     gpu::Bindings with_primitives(gpu::Bindings bindings);
@@ -56,6 +61,7 @@ class TileTracer {
     const RayFrame& frame_;
     RayBuffers& b_;
     std::vector<Generation> generations_;
+    gpu_layout::EyePush camera_{}; // of the tile
     unsigned now_ = 0;           // which of the two buffers of rays holds this generation
     std::uint32_t next_ = 0;     // node of the first ray of the next generation
     std::uint32_t expected_ = 0; // invocations that must have ended

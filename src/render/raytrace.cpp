@@ -55,6 +55,7 @@ RayBuffers make_buffers(gpu::Device& device, const Plan& plan, std::uint32_t lig
     if (plan.ray_effects & RAY_SHADOWS) b.visibility = table("visibility", n * b.lights * sizeof(glm::vec4));
     if ((plan.ray_effects & RAY_SHADOWS) && (plan.effects & EFFECT_COMPENSATED_SUM)) b.carries = table("carries", n * sizeof(glm::vec4));
     b.tree = table("ray-tree", std::uint64_t{b.nodes} * sizeof(RayNode));
+    b.camera = gpu::make_buffer(device, "camera", sizeof(EyePush), vk::BufferUsageFlagBits::eUniformBuffer, gpu::Memory::upload);
     b.counters = gpu::make_buffer(device, "counters", sizeof(RayCounters), vk::BufferUsageFlagBits::eStorageBuffer, gpu::Memory::readback);
     return b;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "plan/complete.h"
+#include "render/display.h"
 #include "render/gpu_scene.h"
 #include "render/ray_scene.h"
 #include "render/render.h"
@@ -18,13 +19,13 @@ namespace lightbench {
 // Buffers for the rays of a batch; `rays` and `media` are those of this generation and of the next.
 struct RayBuffers {
     std::array<gpu::Buffer, 2> rays, media;
-    gpu::Buffer hits, hit_rays, points, visibility, carries, tree, counters, walks;
+    gpu::Buffer hits, hit_rays, points, visibility, carries, tree, counters, walks, camera;
     std::uint32_t capacity = 0; // rays of a generation
     std::uint32_t nodes = 0;    // of the ray tree
     std::uint32_t lights = 1;   // that are summed in one piece, for a full generation
 };
 
-enum class RayPass { eye, trace, shade, shadow, light, gather, film, film_points };
+enum class RayPass { eye, trace, shade, shadow, light, gather, film, film_points, film_pixels };
 
 struct RayTracer {
     RayScene scene;
@@ -67,13 +68,14 @@ struct RayWork {
     std::function<void(double)> progress;                   // may be empty; the share of the frame that is done
     std::function<bool()> stop{};                           // may be empty; asked between generations of rays: true ends the frame early
     std::function<void(const TracedGeneration&)> observe{}; // may be empty; when a generation is shaded, its buffers as they were left
+    Display* display = nullptr; // not null: what frames show goes to its pixels, and to no image
     bool stopped() const { return stop && stop(); }
 };
 
 // Dispatches every pipeline once without work: drivers compile at the first dispatch, which is not the time that tracing takes.
 void warm_up(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
 
-// Writes `image` (linear radiance, alpha 1). EnvironmentError if the tree of a single pixel does not fit. False: stopped early; the tiles
+// Writes `image` (linear radiance, alpha 1), or work.display. EnvironmentError if the tree of a single pixel does not fit. False: stopped early; the tiles
 // that were not reached are not written.
 bool trace_frame(RayTracer& tracer, const RayWork& work, const RayFrame& frame, gpu::Image& image);
 

@@ -99,10 +99,12 @@ gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions&
         out.done = (i + share) / s.plan.frames;
         if (options.progress) options.progress(out.done);
     };
-    const RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, progress, options.stop};
+    RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, progress, options.stop};
+    if (has_no_image(s.plan)) work.display = &s.display;
     RayFrame nothing{view, s.plan.crop};
     if (s.lattice) nothing.points = &s.lattice->points, nothing.lattice = &s.lattice->radiance;
-    s.recorder.clear(s.targets.resolved, {}); // what a frame that is stopped early does not reach
+    if (work.display) clear_pixels(s.recorder, s.display); // what a frame that is stopped early does not reach
+    else s.recorder.clear(s.targets.resolved, {});
     warm_up(*s.tracer, work, nothing, s.targets.resolved);
     out.done = 0;
     for (; i < s.plan.frames && trace_pass(s, work, view, i, image); ++i) {
@@ -168,7 +170,7 @@ Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry
                                scene.environment,
                                upload_scene(device, scene, geometry, plan),
                                gpu::Recorder(device),
-                               make_targets(device, plan.size, plan.multisamples, "radiance"),
+                               has_no_image(plan) ? RasterTargets{} : make_targets(device, plan.size, plan.multisamples, "radiance"),
                                {},
                                {},
                                {},

@@ -21,6 +21,10 @@ glm::dvec2 shift_of(const Plan& plan, unsigned i) {
     return (cell + within) / double(n) - 0.5;
 }
 
+bool has_no_image(const Plan& plan) {
+    return plan.method == Method::raytrace && plan.runs("display") && !plan.runs("film");
+}
+
 const RasterPipelines& pipelines_for(RendererState& s, const RasterVariant& variant) {
     auto [it, made] = s.pipelines.try_emplace(variant);
     if (made) it->second = make_raster_pipelines(s.device, s.plan, s.scene, s.geometry, variant);
@@ -32,7 +36,7 @@ ImageF read_crop(RendererState& s, gpu::Image& image) {
 }
 
 void read_output(RendererState& s, gpu::Image& image, RenderOutput& out) {
-    if (s.plan.runs("display")) record_display(s.recorder, s.display, image);
+    if (s.plan.runs("display") && !has_no_image(s.plan)) record_display(s.recorder, s.display, image);
     const gpu::Timings last = s.recorder.submit_and_wait();
     s.times.insert(s.times.end(), last.begin(), last.end());
     if (s.plan.runs("display")) {

@@ -33,6 +33,9 @@ struct RendererState {
     std::optional<Radiosity> radiosity;
 };
 
+// Ray trees become pixels at once.
+bool has_no_image(const Plan& plan);
+
 // Frames of a regular n x n grid within the pixel, or jittered within its cells: the shift of frame i.
 glm::dvec2 shift_of(const Plan& plan, unsigned i);
 
