@@ -130,10 +130,8 @@ void add_trace(std::vector<Pass>& passes, const Plan& plan) {
         passes.push_back({"eye-rays", "one a listed point", {"lattice-points"}, {"rays"}});
         passes.push_back({"trace", each, {"rays", "primitives", "structure"}, {"hits"}});
     } else {
-        passes.push_back({"trace",
-                          fmt::format("{}; eye rays one a pixel{}", each, samples(plan)),
-                          {"primitives", "structure"},
-                          {"rays", "hits"}});
+        passes.push_back(
+            {"trace", fmt::format("{}; eye rays one a pixel{}", each, samples(plan)), {"primitives", "structure"}, {"rays", "hits"}});
     }
 }
 

@@ -62,9 +62,9 @@ class TileTracer {
     RayBuffers& b_;
     std::vector<Generation> generations_;
     gpu_layout::EyePush camera_{}; // of the tile
-    unsigned now_ = 0;           // which of the two buffers of rays holds this generation
-    std::uint32_t next_ = 0;     // node of the first ray of the next generation
-    std::uint32_t expected_ = 0; // invocations that must have ended
+    unsigned now_ = 0;             // which of the two buffers of rays holds this generation
+    std::uint32_t next_ = 0;       // node of the first ray of the next generation
+    std::uint32_t expected_ = 0;   // invocations that must have ended
 };
 
 } // namespace lightbench

@@ -68,7 +68,7 @@ struct RayWork {
     std::function<void(double)> progress;                   // may be empty; the share of the frame that is done
     std::function<bool()> stop{};                           // may be empty; asked between generations of rays: true ends the frame early
     std::function<void(const TracedGeneration&)> observe{}; // may be empty; when a generation is shaded, its buffers as they were left
-    Display* display = nullptr; // not null: what frames show goes to its pixels, and to no image
+    Display* display = nullptr;                             // not null: what frames show goes to its pixels, and to no image
     bool stopped() const { return stop && stop(); }
 };
 

@@ -103,8 +103,10 @@ gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions&
     if (has_no_image(s.plan)) work.display = &s.display;
     RayFrame nothing{view, s.plan.crop};
     if (s.lattice) nothing.points = &s.lattice->points, nothing.lattice = &s.lattice->radiance;
-    if (work.display) clear_pixels(s.recorder, s.display); // what a frame that is stopped early does not reach
-    else s.recorder.clear(s.targets.resolved, {});
+    if (work.display)
+        clear_pixels(s.recorder, s.display); // what a frame that is stopped early does not reach
+    else
+        s.recorder.clear(s.targets.resolved, {});
     warm_up(*s.tracer, work, nothing, s.targets.resolved);
     out.done = 0;
     for (; i < s.plan.frames && trace_pass(s, work, view, i, image); ++i) {

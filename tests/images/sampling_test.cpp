@@ -2,6 +2,7 @@
 #include "images/sampling_requests.h"
 
 #include "gpu/recorder.h"
+#include "image/display.h"
 #include "image/metrics.h"
 #include "render/raster.h"
 #include "render/sampling.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lightbench::testing {
 namespace {
@@ -122,6 +124,50 @@ TEST(Sampling, TilesLeaveNoSeams) {
     EXPECT_EQ(n.pixels(), n.r.output.radiance->rgba);
 }
 
+// One sample a pixel goes from the ray trees to the screen; the host's display takes it by way of an image.
+TEST(Sampling, OneFrameIsShownWithoutAnImage) {
+    for (const Rect& crop : {Rect{{0, 0}, kSize}, Rect{{13, 5}, {21, 17}}}) {
+        Request request = traced(Sampling::none);
+        request.crop = crop;
+        const Image8 want = display(*render_scene(ball_scene(), request).output.radiance);
+        request.output = Output::pixels;
+        const Rendered shown = render_scene(ball_scene(), request);
+        EXPECT_FALSE(shown.plan.runs("film") || shown.plan.has("radiance"));
+        const Image8& got = shown.output.pixels.value();
+        ASSERT_EQ(got.rgba.size(), want.rgba.size());
+        for (std::size_t i = 0; i < want.rgba.size(); ++i) ASSERT_NEAR(got.rgba[i], want.rgba[i], 1) << i; // a tie may go either way
+    }
+}
+
+TEST(Sampling, WhatIsNotFiniteIsCountedWithoutAnImageToo) {
+    Scene scene = ball_scene();
+    hide_objects(scene);
+    scene.environment.background.g = std::numeric_limits<float>::infinity();
+    Request request = traced(Sampling::none);
+    request.output = Output::pixels;
+    EXPECT_EQ(render_scene(scene, request).output.non_finite, kSize.x * kSize.y);
+}
+
+RenderOutput render_with(Scene scene, const Request& request, const RenderOptions& options) {
+    CompleteResult completed = complete(scene, request);
+    const View view = completed.completed.value().view;
+    const Plan plan = decide(gather_facts(scene), request, completed.completed->notes);
+    const RasterGeometry geometry = tessellate(scene, tessellation_for(plan, view));
+    return Renderer(test_device(), scene, geometry, plan).render(view, options);
+}
+
+TEST(Sampling, AFrameThatIsStoppedAtOnceIsBlack) {
+    Request request = traced(Sampling::none);
+    request.output = Output::pixels;
+    RenderOptions options;
+    options.stop = [] { return true; };
+    const RenderOutput output = render_with(ball_scene(), request, options);
+    EXPECT_EQ(output.done, 0);
+    const auto& rgba = output.pixels.value().rgba;
+    ASSERT_EQ(rgba.size(), 4 * kSize.x * kSize.y);
+    for (std::size_t i = 0; i < rgba.size(); ++i) ASSERT_EQ(rgba[i], i % 4 == 3 ? 255 : 0);
+}
+
 TEST(Sampling, BandsAndStripsLeaveNoSeams) {
     for (const std::uint64_t room : {3u * 97, 40u * 97, 1000u}) { // a pixel row, ten of them; strips
         Narrow n(adaptive(2));
@@ -147,14 +193,6 @@ TEST(Sampling, AdaptiveSamplingSavesRays) {
     RecordProperty("share", std::to_string(share));
     EXPECT_LT(share, 62.0 / 117);
     RecordProperty("rms", std::to_string(std::sqrt(squares / double(a.size()) * 4 / 3)));
-}
-
-RenderOutput render_with(Scene scene, const Request& request, const RenderOptions& options) {
-    CompleteResult completed = complete(scene, request);
-    const View view = completed.completed.value().view;
-    const Plan plan = decide(gather_facts(scene), request, completed.completed->notes);
-    const RasterGeometry geometry = tessellate(scene, tessellation_for(plan, view));
-    return Renderer(test_device(), scene, geometry, plan).render(view, options);
 }
 
 TEST(Sampling, StoppingLeavesWhatThereIs) {

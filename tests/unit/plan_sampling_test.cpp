@@ -18,7 +18,10 @@ Request traced() {
 TEST(PlanSampling, OneSampleAPixelNeedsNoSum) {
     const Plan plan = plan_of(lit_sphere(), traced());
     EXPECT_FALSE(plan.runs("accumulate") || plan.runs("filter") || plan.runs("split-cells") || plan.has("sum") || plan.has("lattice"));
-    EXPECT_TRUE(plan.runs("film"));
+    EXPECT_FALSE(plan.runs("film") || plan.has("radiance")) << "what is shown needs no image";
+    Request linear = traced();
+    linear.output = Output::radiance;
+    EXPECT_TRUE(plan_of(lit_sphere(), linear).runs("film"));
 }
 
 TEST(PlanSampling, TheGaussianTakesThePlaceOfTheSum) {
