@@ -18,13 +18,14 @@ void main() {
     if (i >= push.count) return;
     uint at = kRayNodeTexels * (push.first + i);
     uvec4 node = fetch_tree(at);
-    vec3 color = uintBitsToFloat(node.xyz);
+    vec3 color = (push.parts & 1u << kRayEye) != 0u ? uintBitsToFloat(node.xyz) : vec3(0.0);
     uint child = node.w >> 3u;
     for (uint n = node.w & 7u; n > 0u; --n, ++child) {
         vec3 arriving = uintBitsToFloat(fetch_tree(kRayNodeTexels * child).xyz);
-        vec3 weight = uintBitsToFloat(fetch_tree(kRayNodeTexels * child + 1u).xyz);
+        uvec4 weighed = fetch_tree(kRayNodeTexels * child + 1u);
+        vec3 weight = (push.parts & 1u << weighed.w) != 0u ? uintBitsToFloat(weighed.xyz) : vec3(0.0);
         // A weight of 0 stands for nothing, whatever arrives: 0 times an infinity is no number (TR-1).
         color += mix(weight * arriving, vec3(0.0), equal(weight, vec3(0.0)));
     }
-    if ((node.w & 7u) > 0u) node_words[at] = uvec4(floatBitsToUint(color), node.w);
+    if ((node.w & 7u) > 0u || push.parts != kAllParts) node_words[at] = uvec4(floatBitsToUint(color), node.w);
 }

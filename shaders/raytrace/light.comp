@@ -19,7 +19,8 @@ uint point_index = 0u;
 
 vec3 visibility(uint light) {
     if (!wants_ray(RAY_SHADOWS)) return vec3(1.0);
-    return uintBitsToFloat(fetch_lit(light * push.count + point_index).xyz);
+    vec3 lit = uintBitsToFloat(fetch_lit(light * push.count + point_index).xyz);
+    return kOutput == OUTPUT_SHADOW ? 1.0 - lit : lit;
 }
 
 // Where no ray is sent after the mirror image the environment stands in for it, as in the rasteriser (S12).

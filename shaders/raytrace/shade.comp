@@ -14,6 +14,8 @@
 FETCH_TABLE(hits, FETCH_RAYS, 24)
 layout(set = 0, binding = 33, scalar) writeonly buffer Points { uvec4 points[]; };
 
+layout(set = 0, binding = 46, scalar) uniform Camera { EyePush camera; };
+
 vec3 visibility(uint light) { return vec3(1.0); } // no light is summed here
 
 // What the cone of the ray covers of the surface, as steps of picture coordinates: across the plane of incidence, and along it.
@@ -104,6 +106,22 @@ void write_point(uint i, RayPoint p) {
     if (wants(EFFECT_TRANSPARENCY)) points[at + 5u] = uvec4(floatBitsToUint(p.opacity), 0u);
 }
 
+uint object_of(uint ref) {
+    uint type = type_of(ref), index = index_of(ref);
+    if (wants_ray(RAY_TRIANGLES) && type == kTypeTriangle) return fetch_triangles(kTriangleTexels * index + 2u).w;
+    if (wants_ray(RAY_SPHERES) && type == kTypeSphere) return fetch_spheres(kSphereTexels * index + 1u).z;
+    if (wants_ray(RAY_SHAPES)) return fetch_shapes(kShapeTexels * index + 4u).z;
+    return 0u;
+}
+
+// Of outputs that no light is summed for.
+void write_fact(uint node, RayHit hit, RayPoint p) {
+    vec3 fact = p.normal;
+    if (kOutput == OUTPUT_DEPTH) fact = vec3(dot(p.position - camera.eye, camera.axis));
+    if (kOutput == OUTPUT_OBJECT) fact = vec3(float(object_of(hit.ref) + 1u));
+    node_words[kRayNodeTexels * node] = uvec4(floatBitsToUint(fact), 0u);
+}
+
 void main() {
     uint i = invocation(), k = min(i, push.count - 1u);
     count_done(push.count);
@@ -118,6 +136,10 @@ void main() {
     leave_what_touches(h, r, hit.t);
     Material m = read_traced_material(h.surface);
     RayPoint p = point_of(m, h, r, width);
+    if (kOutput == OUTPUT_NORMAL || kOutput == OUTPUT_DEPTH || kOutput == OUTPUT_OBJECT) {
+        if (live) write_fact(push.first + from, hit, p);
+        return;
+    }
     if (wants_ray(RAY_REFLECTED | RAY_REFRACTED | RAY_STRAIGHT)) {
         Sent s = sent_on(from, r, h, m, p);
         if (!live) s.mirrored = s.refracted = s.straight = vec3(0.0);

@@ -247,7 +247,9 @@ struct LatticePush {
 
 struct GatherPush {
     uint first, count;                 // nodes
+    uint parts;                        // of roots: a bit 1 << kRay... for each kind of children that count; kRayEye: their own color
 };
+const uint kAllParts = 15u;
 
 // Filled by the passes, read by the host.
 struct RayCounters {

@@ -40,7 +40,7 @@ constexpr OptionRow kOptions[] = {
     {"--contrast", "R,G,B", "of adaptive sampling: (max - min) / (max + min) above which it splits; default 0.25,0.2,0.4"},
     {"--max-level", "N", "of adaptive sampling: times that a pixel is split in four at most, 0 to 6; default 2"},
     {"--precision", "float32", "float32"},
-    {"--terms", nullptr, "with an .exr: one layer for each term of the model, and normal, depth, object"},
+    {"--terms", nullptr, "with an .exr: a layer for each term, reflected and refracted light, shadow, attenuation, normal, depth, object"},
     {"--stats", "FILE", "JSON about the run; - for standard output"},
     {"--count", nullptr, "fill rays and tests of --stats"},
     {"--progress", "WHEN", "auto, always, never"},

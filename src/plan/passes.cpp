@@ -156,6 +156,8 @@ std::vector<Pass> ray_passes(const Plan& plan, const Names& lit_reads) {
         passes.push_back({"gather", "the ray trees, from their leaves to their roots", {"ray-tree"}, {"ray-tree"}});
     add_film(passes, plan);
     if (accumulates(plan)) passes.push_back({"accumulate", sum_of(plan), {"radiance"}, {"sum"}});
+    for (const std::string& term : plan.terms)
+        passes.push_back({"term-" + term, "a layer of the file: rays once more, for this part", {"ray-tree"}, {"layer-" + term}});
     if (one_frame_is_all(plan))
         passes.push_back({"display", "their roots as pixels, " + display_reason(plan), {"ray-tree"}, {"pixels", "census"}});
     else

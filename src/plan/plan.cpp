@@ -7,6 +7,7 @@
 #include "scene/distribution.h"
 #include "shared/effects.h"
 #include "shared/layouts.h"
+#include "shared/rays.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -64,15 +65,17 @@ void decide_cubes(const Facts& facts, Plan& plan) {
 }
 
 // Layers: the terms that add up to the image, if they are not 0 everywhere, and what helps to understand it.
-std::vector<std::string> decide_terms(const Facts& facts, const Request& request, std::uint32_t mask) {
+std::vector<std::string> decide_terms(const Facts& facts, const Request& request, std::uint32_t mask, std::uint32_t rays) {
     if (!request.terms || request.output != Output::radiance) return {};
     std::vector<std::string> terms;
     if (mask & EFFECT_AMBIENT) terms.push_back("ambient");
     if (mask & EFFECT_DIFFUSE) terms.push_back("diffuse");
     if (mask & (EFFECT_SPECULAR | EFFECT_COOK_TORRANCE)) terms.push_back("specular");
     if (mask & EFFECT_EMISSION) terms.push_back("emission");
-    if (mask & EFFECT_MIRROR_ENVIRONMENT) terms.push_back("reflected");
+    if (mask & EFFECT_MIRROR_ENVIRONMENT || rays & RAY_REFLECTED) terms.push_back("reflected");
+    if (rays & (RAY_REFRACTED | RAY_STRAIGHT)) terms.push_back("refracted");
     if (facts.background || facts.environment_map) terms.push_back("background");
+    if (rays & RAY_SHADOWS) terms.push_back("shadow");
     if (facts.lights > 0) terms.push_back("attenuation");
     terms.insert(terms.end(), {"normal", "depth", "object"});
     return terms;
@@ -220,7 +223,7 @@ Plan decide(const Facts& facts, const Request& asked, std::vector<Line> notes) {
     decide_lights(facts, request, plan);
     decide_cubes(facts, plan);
     decide_samples(request, plan);
-    plan.terms = decide_terms(facts, request, plan.effects);
+    plan.terms = decide_terms(facts, request, plan.effects, plan.ray_effects);
     plan.passes = walk_back(candidate_passes(plan, reads), wanted_images(plan));
     plan.resources = resources_of(facts, plan);
     return plan;

@@ -61,7 +61,7 @@ struct Plan {
     std::size_t light_passes = 1;         // the lights are summed in this many bounded pieces
     EnvironmentCubes cubes;               // rendered from objects that mirror; none with a map, or where nothing mirrors
     std::vector<std::string>
-        terms; // layers besides the image: "ambient", "diffuse", "specular", "emission", "background", "attenuation", "normal", "depth", "object"
+        terms; // layers besides the image: "ambient", "diffuse", "specular", "emission", "reflected", "refracted", "background", "shadow", "attenuation", "normal", "depth", "object"
     std::vector<Line> wanted;    // effects that run
     std::vector<Line> skipped;   // effects that do not
     std::vector<Line> fallbacks; // what was put in place of what was missing or cannot be done: camera, light, transmission ...

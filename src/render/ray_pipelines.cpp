@@ -56,7 +56,7 @@ const gpu::ComputePipeline& pipeline_of(RayTracer& tracer, const RayWork& w, Ray
     if (pipeline) return pipeline;
     const gpu::Constants constants{{CONSTANT_EFFECTS, effects_for(pass, w.plan)},
                                    {CONSTANT_SHADING, SHADING_PHONG},
-                                   {CONSTANT_OUTPUT, OUTPUT_RADIANCE},
+                                   {CONSTANT_OUTPUT, w.output},
                                    {CONSTANT_LIGHT_COUNT, pass == RayPass::light ? w.plan.light_count : 0},
                                    {CONSTANT_FETCH_STORAGE, w.scene.fetch_storage | tracer.scene.fetch_storage},
                                    {CONSTANT_RAY_EFFECTS, rays},

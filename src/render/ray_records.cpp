@@ -97,6 +97,10 @@ bool TileTracer::makes_eye_rays() const {
     return generations_.size() <= 1 && !frame_.points && !w_.observe && !b_.walks;
 }
 
+bool TileTracer::sums_light() const {
+    return w_.output != OUTPUT_NORMAL && w_.output != OUTPUT_DEPTH && w_.output != OUTPUT_OBJECT;
+}
+
 std::uint32_t TileTracer::eye_effects() const {
     return frame_.points ? RAY_LIST : frame_.cell > 0 ? RAY_JITTER : 0;
 }
@@ -123,10 +127,8 @@ EyePush TileTracer::camera_of(const Tile& tile) {
 void TileTracer::begin(const Tile& tile) {
     camera_ = camera_of(tile);
     w_.recorder.fill(b_.counters, 0);
-    if (makes_eye_rays())
-        gpu::upload(w_.device, b_.camera, std::as_bytes(std::span(&camera_, 1)));
-    else
-        record_eye();
+    gpu::upload(w_.device, b_.camera, std::as_bytes(std::span(&camera_, 1)));
+    if (!makes_eye_rays()) record_eye();
 }
 
 void TileTracer::record_eye() {
@@ -154,7 +156,8 @@ void TileTracer::record_trace(const Generation& g, std::uint32_t resume) {
 }
 
 void TileTracer::record_shade(const Generation& g) {
-    gpu::Bindings bindings = with_meshes(with_primitives({{"Points", b_.points}, {"NextRays", b_.rays[1 - now_]}, {"Tree", b_.tree}}));
+    gpu::Bindings bindings =
+        with_meshes(with_primitives({{"Points", b_.points}, {"NextRays", b_.rays[1 - now_]}, {"Tree", b_.tree}, {"Camera", b_.camera}}));
     offer_table(bindings, "rays", b_.rays[now_]);
     offer_table(bindings, "hits", b_.hits);
     offer_table(bindings, "hit_rays", b_.hit_rays);
@@ -191,9 +194,12 @@ void TileTracer::record_light(const Generation&, const RayPush& push) {
 void TileTracer::gather_and_film(const Tile& tile, gpu::Image& image) {
     gpu::Bindings tree{{"Tree", b_.tree}};
     offer_table(tree, "tree", b_.tree);
-    for (auto g = generations_.rbegin(); g != generations_.rend(); ++g)
-        if (g->sends)
-            w_.recorder.compute("gather", pipeline_of(t_, w_, RayPass::gather), tree, GatherPush{g->first, g->count}, groups_of(g->count));
+    for (auto g = generations_.rbegin(); g != generations_.rend(); ++g) {
+        const std::uint32_t parts = g->first == 0 ? w_.parts : kAllParts;
+        if (g->sends || parts != kAllParts)
+            w_.recorder.compute("gather", pipeline_of(t_, w_, RayPass::gather), tree, GatherPush{g->first, g->count, parts},
+                                groups_of(g->count));
+    }
     if (w_.display) return record_pixels(tile);
     gpu::Bindings film = frame_.points ? gpu::Bindings{{"Lattice", *frame_.lattice}} : gpu::Bindings{{"frame", image}};
     offer_table(film, "tree", b_.tree);

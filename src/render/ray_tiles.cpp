@@ -66,6 +66,7 @@ bool TileTracer::make_walks(std::uint32_t count) {
 std::optional<RayCounters> TileTracer::shade_hits(const Generation& hits) {
     w_.recorder.fill(b_.counters, 0);
     record_shade(hits);
+    if (!sums_light()) return submit();
     each_piece(hits, [&](const RayPush& push, std::uint32_t lights) { record_shadows(hits, push, lights); });
     RayCounters c = submit();
     if (c.unfinished == 0) return c;
@@ -146,6 +147,7 @@ bool TileTracer::trace(const Tile& tile, gpu::Image& image) {
         const Generation g = generations_[i];
         if (w_.stopped()) return true;
         if (!run_generation(g)) return false;
+        if (w_.parts == 1u << kRayEye) break; // nobody asks what comes back
     }
     gather_and_film(tile, image);
     return true;

@@ -29,6 +29,7 @@ class TileTracer {
 
   private:
     bool makes_eye_rays() const;
+    bool sums_light() const;
     std::uint32_t eye_effects() const;
     gpu_layout::EyePush camera_of(const Tile& tile);
     void begin(const Tile& tile);

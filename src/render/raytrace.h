@@ -68,6 +68,8 @@ struct RayWork {
     std::function<void(double)> progress;                   // may be empty; the share of the frame that is done
     std::function<bool()> stop{};                           // may be empty; asked between generations of rays: true ends the frame early
     std::function<void(const TracedGeneration&)> observe{}; // may be empty; when a generation is shaded, its buffers as they were left
+    std::uint32_t output = 0;                               // OUTPUT_...
+    std::uint32_t parts = gpu_layout::kAllParts;            // of what an eye ray sees, as GatherPush
     Display* display = nullptr;                             // not null: what frames show goes to its pixels, and to no image
     bool stopped() const { return stop && stop(); }
 };

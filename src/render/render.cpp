@@ -4,6 +4,7 @@
 #include "gpu/recorder.h"
 #include "image/display.h"
 #include "render/radiosity/run.h"
+#include "render/ray_frames.h"
 #include "render/renderer_state.h"
 #include "render/terms.h"
 #include "shared/effects.h"
@@ -76,48 +77,6 @@ void add_times(RenderOutput& out, const gpu::Timings& timings) {
     }
 }
 
-// Frame i of a tracer: one sample a pixel, or as many as it takes. False: stopped early.
-bool trace_pass(RendererState& s, const RayWork& work, const View& view, unsigned i, gpu::Image& image) {
-    const auto n = static_cast<unsigned>(std::lround(std::sqrt(double(s.plan.frames))));
-    RayFrame frame{view, s.plan.crop, glm::vec2(0.5f), 0, i, s.environment.ambient, s.environment.background};
-    frame.cell = s.plan.jittered ? 1.0f / float(n) : 0;
-    frame.shift = (glm::vec2(i % n, i / n) + (s.plan.jittered ? 0.0f : 0.5f)) / float(n);
-    if (s.lattice) return trace_adaptive(*s.tracer, work, frame, *s.lattice, image);
-    if (s.filter) return trace_filtered(*s.tracer, work, frame, *s.filter, image);
-    const bool whole = trace_frame(*s.tracer, work, frame, s.targets.resolved);
-    if (s.sum && (whole || i == 0)) // a frame that is not whole would darken the mean of the others
-        record_accumulate(s.recorder, s.display, s.targets.resolved, s.sum, 1.0f / float(i + 1),
-                          i == 0 ? ACCUMULATE_FIRST : ACCUMULATE_MEAN);
-    return whole;
-}
-
-gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions& options, RenderOutput& out) {
-    s.tracer->counts = {};
-    gpu::Image& image = s.sum ? s.sum : s.targets.resolved;
-    unsigned i = 0;
-    const auto progress = [&](double share) {
-        out.done = (i + share) / s.plan.frames;
-        if (options.progress) options.progress(out.done);
-    };
-    RayWork work{s.device, s.recorder, s.plan, s.scene, s.geometry, s.times, progress, options.stop};
-    if (has_no_image(s.plan)) work.display = &s.display;
-    RayFrame nothing{view, s.plan.crop};
-    if (s.lattice) nothing.points = &s.lattice->points, nothing.lattice = &s.lattice->radiance;
-    if (work.display)
-        clear_pixels(s.recorder, s.display); // what a frame that is stopped early does not reach
-    else
-        s.recorder.clear(s.targets.resolved, {});
-    warm_up(*s.tracer, work, nothing, s.targets.resolved);
-    out.done = 0;
-    for (; i < s.plan.frames && trace_pass(s, work, view, i, image); ++i) {
-        if (!options.pass || i + 1 == s.plan.frames) continue;
-        RenderOutput so_far;
-        read_output(s, image, so_far);
-        options.pass(so_far);
-    }
-    return image;
-}
-
 RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& options) {
     RenderOutput out;
     const Drawing drawing{{s.plan.effects, OUTPUT_RADIANCE, s.plan.multisamples}, s.environment.background, "raster", true};
@@ -139,6 +98,7 @@ RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& 
 
 Layer run_layer(RendererState& s, const View& view, const std::string& name) {
     const Term term = find_term(name);
+    if (s.tracer) return trace_layer(s, view, term);
     Drawing drawing{{s.plan.effects & term.effects, term.output, term.averaged ? s.plan.multisamples : 1}, glm::vec3(0), "term-" + name};
     if (term.background) drawing.background = s.environment.background, drawing.background_map = true;
     std::size_t triangles = 0;

@@ -2,6 +2,7 @@
 
 #include "gpu/check.h"
 #include "shared/effects.h"
+#include "shared/rays.h"
 
 namespace lightbench {
 namespace {
@@ -11,19 +12,21 @@ constexpr std::uint32_t kLights = EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT 
 constexpr std::uint32_t kSurface = EFFECT_TWO_SIDED | EFFECT_MANY_MATERIALS | EFFECT_VANISHING_NORMALS | EFFECT_ANY_BUMP |
                                    EFFECT_ANY_TEXTURE | EFFECT_TEXTURE_ALPHA | EFFECT_ANY_MAPPING | EFFECT_TRANSPARENCY;
 
-// The light terms (the first six) add up to the image; the others tell how it came about.
+// The light terms (the first seven) add up to the image; the others tell how it came about.
 constexpr Term kTerms[] = {
-    {"ambient", EFFECT_AMBIENT | kSurface, OUTPUT_RADIANCE, true, false},
-    {"diffuse", EFFECT_DIFFUSE | kLights | kSurface, OUTPUT_RADIANCE, true, false},
-    {"specular", EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | kLights | kSurface, OUTPUT_RADIANCE, true, false},
-    {"emission", EFFECT_EMISSION | kSurface, OUTPUT_RADIANCE, true, false},
+    {"ambient", EFFECT_AMBIENT | kSurface},
+    {"diffuse", EFFECT_DIFFUSE | kLights | kSurface},
+    {"specular", EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | kLights | kSurface},
+    {"emission", EFFECT_EMISSION | kSurface},
     {"reflected", EFFECT_MIRROR_ENVIRONMENT | EFFECT_SIX_FACES | EFFECT_RENDERED_CUBE | EFFECT_COOK_TORRANCE | kSurface, OUTPUT_RADIANCE,
-     true, false},
+     true, false, 1u << gpu_layout::kRayReflected},
+    {"refracted", 0, OUTPUT_RADIANCE, true, false, 1u << gpu_layout::kRayRefracted | 1u << gpu_layout::kRayStraight},
     {"background", EFFECT_BACKGROUND_MAP | EFFECT_SIX_FACES | kSurface, OUTPUT_RADIANCE, true, true},
-    {"attenuation", kLights | kSurface, OUTPUT_ATTENUATION, true, false},
-    {"normal", kSurface, OUTPUT_NORMAL, false, false},
-    {"depth", kSurface, OUTPUT_DEPTH, false, false},
-    {"object", kSurface, OUTPUT_OBJECT, false, false},
+    {"shadow", EFFECT_DIFFUSE | EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | kLights | kSurface, OUTPUT_SHADOW},
+    {"attenuation", kLights | kSurface, OUTPUT_ATTENUATION},
+    {"normal", kSurface, OUTPUT_NORMAL, false},
+    {"depth", kSurface, OUTPUT_DEPTH, false},
+    {"object", kSurface, OUTPUT_OBJECT, false},
 };
 
 } // namespace

@@ -12,6 +12,7 @@ struct Term {
     std::uint32_t output = 0;  // OUTPUT_...
     bool averaged = true;      // over samples and frames like the image: the light terms then add up to it
     bool background = false;   // the background is part of it
+    std::uint32_t rays = 0;    // 1 << kRay...: of traced rays, what comes back by those that were sent on is part of it
 };
 
 // CHECKs that there is one of this name.
