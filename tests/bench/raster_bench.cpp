@@ -1,5 +1,5 @@
 // Device time of a frame of about 70 000 triangles at 800x600 under one light: each shading beside the driver's floor, a frame that only
-// clears and one that writes depth only, with the same view and the same culling.
+// clears, one that writes depth only, and one that also writes a constant color, with the same view and the same culling.
 // Run interleaved: bench --benchmark_enable_random_interleaving=true --benchmark_repetitions=9 --benchmark_report_aggregates_only=true
 #include "plan/complete.h"
 #include "plan/facts.h"
@@ -16,6 +16,8 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+
+std::span<const lightbench::gpu::ShaderCode> bench_shaders_table();
 
 namespace lightbench {
 namespace {
@@ -86,31 +88,37 @@ void shaded(benchmark::State& state, Shading shading) {
     state.counters["drawn"] = double(triangles);
 }
 
-gpu::GraphicsPipeline depth_pipeline(vk::CullModeFlags cull) {
+enum class Floor { clear, depth, color };
+
+gpu::GraphicsPipeline floor_pipeline(vk::CullModeFlags cull, vk::Format color) {
     gpu::GraphicsDesc desc;
-    desc.name = "depth only";
+    desc.name = "floor";
     desc.vertex = find_shader("raster/depth.vert");
     desc.push_size = sizeof(gpu_layout::ShadePush);
     desc.vertex_buffers = {{16, {{0, vk::Format::eR32G32B32Sfloat, 0}}}};
     desc.depth_format = vk::Format::eD32Sfloat;
     desc.cull = cull;
+    if (color != vk::Format::eUndefined) desc.fragment = bench_shaders_table().front(), desc.color_formats = {color};
     return gpu::make_graphics(device(), desc);
 }
 
-// Depth only, or with `draw` false nothing but the clear of color and depth.
-void floor_of_driver(benchmark::State& state, bool draw) {
+void floor_of_driver(benchmark::State& state, Floor floor, vk::Format format) {
     static Frame f(Shading::phong);
-    static const auto one_sided = depth_pipeline(vk::CullModeFlagBits::eBack), two_sided = depth_pipeline(vk::CullModeFlagBits::eNone);
+    const bool draw = floor != Floor::clear;
+    const vk::Format written = floor == Floor::color ? format : vk::Format::eUndefined;
+    const auto one_sided = floor_pipeline(vk::CullModeFlagBits::eBack, written),
+               two_sided = floor_pipeline(vk::CullModeFlagBits::eNone, written);
+    gpu::Image color = gpu::make_image(device(), "floor", {800, 600}, format, vk::ImageUsageFlagBits::eColorAttachment);
     gpu::DrawPass pass;
     pass.targets.depth = gpu::DepthTarget{&f.targets.depth, 0.0f, false};
     pass.targets.area = vk::Rect2D{{0, 0}, {800, 600}};
-    if (!draw) pass.targets.colors = {{&f.targets.resolved, vk::ClearColorValue(std::array{0.0f, 0.0f, 0.0f, 1.0f}), nullptr, true}};
+    if (floor != Floor::depth) pass.targets.colors = {{&color, vk::ClearColorValue(std::array{0.0f, 0.0f, 0.0f, 1.0f}), nullptr, true}};
     if (draw) pass.pipelines = {&one_sided, &two_sided}, pass.vertex_buffers = {&f.on_gpu.positions}, pass.index_buffer = &f.on_gpu.indices;
     gpu_layout::ShadePush push{};
     push.clip_from_frame = f.view.clip_from_frame(f.geometry.frame), push.eye = f.view.eye_in_frame(f.geometry.frame);
     const std::span all(f.geometry.clusters);
     for (auto _ : state) {
-        f.recorder.draw("depth", pass, [&](gpu::DrawContext& d) {
+        f.recorder.draw("floor", pass, [&](gpu::DrawContext& d) {
             for (const auto* pipeline : pass.pipelines) {
                 const auto clusters =
                     pipeline == &one_sided ? all.first(f.geometry.one_sided_clusters) : all.subspan(f.geometry.one_sided_clusters);
@@ -124,8 +132,14 @@ void floor_of_driver(benchmark::State& state, bool draw) {
     }
 }
 
-BENCHMARK_CAPTURE(floor_of_driver, clear_only, false)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
-BENCHMARK_CAPTURE(floor_of_driver, depth_only, true)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
+constexpr vk::Format kRadiance = vk::Format::eR32G32B32A32Sfloat;
+BENCHMARK_CAPTURE(floor_of_driver, clear_only, Floor::clear, kRadiance)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
+BENCHMARK_CAPTURE(floor_of_driver, depth_only, Floor::depth, kRadiance)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
+BENCHMARK_CAPTURE(floor_of_driver, constant, Floor::color, kRadiance)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
+BENCHMARK_CAPTURE(floor_of_driver, constant_8_bits, Floor::color, vk::Format::eR8G8B8A8Unorm)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(0.3);
 BENCHMARK_CAPTURE(shaded, flat, Shading::flat)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
 BENCHMARK_CAPTURE(shaded, gouraud, Shading::gouraud)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
 BENCHMARK_CAPTURE(shaded, phong, Shading::phong)->UseManualTime()->Unit(benchmark::kMillisecond)->MinTime(0.3);
