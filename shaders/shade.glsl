@@ -10,8 +10,19 @@
 #include "lib/cook_torrance.glsl"
 #include "lib/fresnel.glsl"
 #include "lib/phong.glsl"
+#include "lib/real.glsl"
 #include "lib/spot.glsl"
 #include "lib/sum.glsl"
+
+// --precision float64: the same terms of the same inputs, in double.
+#ifdef LIGHTBENCH_FLOAT64
+#include "lib/float64.glsl"
+#define lambert lambert_float64
+#define phong_specular phong_specular_float64
+#define attenuation_linear attenuation_linear_float64
+#define attenuation_inverse_square attenuation_inverse_square_float64
+#define spot_falloff spot_falloff_float64
+#endif
 
 layout(constant_id = CONSTANT_EFFECTS) const uint kEffects = 0u;
 layout(constant_id = CONSTANT_SHADING) const uint kShading = SHADING_PHONG;
@@ -40,14 +51,14 @@ TexelInfo texel_info(uvec4 v) { return TexelInfo(v.x, v.y, v.z, v.w); }
 
 struct Surface {
     vec3 position;   // frame
-    vec3 normal;     // unit, on the side that is seen
-    vec3 to_viewer;  // unit; read only where something is specular
+    real3 normal;    // unit, on the side that is seen
+    real3 to_viewer; // unit; read only where something is specular
 };
 
 // What a light sends to a point: the direction towards it and Ip after attenuation and spot shape, before any cosine.
 struct Arrival {
-    vec3 l;
-    vec3 intensity;
+    real3 l;
+    real3 intensity;
 };
 
 // A macro, so that what is not wanted is gone before functions are inlined: specialising takes a fraction of the time.
@@ -118,31 +129,31 @@ Light read_light(uint index) {
 }
 
 // Unit vector from p to the viewer; 0 where no term reads it.
-vec3 direction_to_viewer(vec3 p) {
-    if (!wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | EFFECT_MIRROR_ENVIRONMENT | EFFECT_ANY_BUMP)) return vec3(0.0);
-    vec3 to_eye = push.eye - p;
+real3 direction_to_viewer(vec3 p) {
+    if (!wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE | EFFECT_MIRROR_ENVIRONMENT | EFFECT_ANY_BUMP)) return real3(0.0);
+    real3 to_eye = real3(push.eye) - real3(p);
     return to_eye * inversesqrt(max(dot(to_eye, to_eye), kLeastNormal));
 }
 
 // S4. The factor by which a positional light's Ip arrives at distance d.
-float attenuation(Light light, float d) {
+real attenuation(Light light, real d) {
     const uint laws = EFFECT_ATTENUATION_NONE | EFFECT_ATTENUATION_LINEAR | EFFECT_ATTENUATION_INVERSE_SQUARE;
     if (only(EFFECT_ATTENUATION_LINEAR, laws)) return attenuation_linear(d, light.d0);
     if (only(EFFECT_ATTENUATION_INVERSE_SQUARE, laws)) return attenuation_inverse_square(d);
-    float factor = 1.0;
+    real factor = 1.0;
     if (wants(EFFECT_ATTENUATION_LINEAR) && light.attenuation == kAttenuationLinear) factor = attenuation_linear(d, light.d0);
     if (wants(EFFECT_ATTENUATION_INVERSE_SQUARE) && light.attenuation == kAttenuationInverseSquare) factor = attenuation_inverse_square(d);
     return factor;
 }
 
 Arrival arrive_positional(Light light, vec3 p) {
-    vec3 to_light = light.position - p;
-    float d2 = max(dot(to_light, to_light), kLeastNormal); // a light at the point itself has L = 0: its terms vanish (LI-5)
-    float inverse = inversesqrt(d2);
+    real3 to_light = real3(light.position) - real3(p);
+    real d2 = max(dot(to_light, to_light), kLeastNormal); // a light at the point itself has L = 0: its terms vanish (LI-5)
+    real inverse = inversesqrt(d2);
     Arrival a = Arrival(to_light * inverse, light.intensity * attenuation(light, d2 * inverse));
     const uint types = EFFECT_POINT_LIGHT | EFFECT_SPOT_LIGHT;
     if (wants(EFFECT_SPOT_LIGHT)) {
-        float shape = spot_falloff(-dot(a.l, light.axis), light.cos_outer, light.cos_inner);
+        real shape = spot_falloff(-dot(a.l, real3(light.axis)), light.cos_outer, light.cos_inner);
         a.intensity *= only(EFFECT_SPOT_LIGHT, types) || light.type == kLightSpot ? shape : 1.0;
     }
     return a;
@@ -150,28 +161,28 @@ Arrival arrive_positional(Light light, vec3 p) {
 
 Arrival arrive(Light light, vec3 p) {
     const uint types = EFFECT_POINT_LIGHT | EFFECT_SPOT_LIGHT | EFFECT_DIRECTIONAL_LIGHT;
-    if (only(EFFECT_DIRECTIONAL_LIGHT, types)) return Arrival(light.position, light.intensity);
+    if (only(EFFECT_DIRECTIONAL_LIGHT, types)) return Arrival(real3(light.position), real3(light.intensity));
     if (!wants(EFFECT_DIRECTIONAL_LIGHT)) return arrive_positional(light, p);
-    if (light.type == kLightDirectional) return Arrival(light.position, light.intensity);
+    if (light.type == kLightDirectional) return Arrival(real3(light.position), real3(light.intensity));
     return arrive_positional(light, p);
 }
 
 // S3, S6. What multiplies ks Ip, by the material's model.
-vec3 highlight(Surface s, Material m, vec3 l) {
+real3 highlight(Surface s, Material m, real3 l) {
     const uint models = EFFECT_SPECULAR | EFFECT_COOK_TORRANCE;
     uint model = m.kinds & 15u;
-    vec3 factor = vec3(0.0);
+    real3 factor = real3(0.0);
     if (wants(EFFECT_SPECULAR)) {
-        float phong = phong_specular(s.normal, l, s.to_viewer, m.shininess);
-        if (of_kind(EFFECT_SPECULAR, models, model, kModelPhong)) factor = vec3(phong);
+        real phong = phong_specular(s.normal, l, s.to_viewer, m.shininess);
+        if (of_kind(EFFECT_SPECULAR, models, model, kModelPhong)) factor = real3(phong);
     }
     if (wants(EFFECT_GAUSSIAN)) {
-        vec3 lobe = cook_torrance_gaussian(s.normal, l, s.to_viewer, m.roughness, m.lobe, m.ior);
-        if (of_kind(EFFECT_GAUSSIAN, models, model, kModelGaussian)) factor = lobe;
+        vec3 lobe = cook_torrance_gaussian(vec3(s.normal), vec3(l), vec3(s.to_viewer), m.roughness, m.lobe, m.ior);
+        if (of_kind(EFFECT_GAUSSIAN, models, model, kModelGaussian)) factor = real3(lobe);
     }
     if (wants(EFFECT_BECKMANN)) {
-        vec3 lobe = cook_torrance_beckmann(s.normal, l, s.to_viewer, m.roughness, m.lobe, m.ior);
-        if (of_kind(EFFECT_BECKMANN, models, model, kModelBeckmann)) factor = lobe;
+        vec3 lobe = cook_torrance_beckmann(vec3(s.normal), vec3(l), vec3(s.to_viewer), m.roughness, m.lobe, m.ior);
+        if (of_kind(EFFECT_BECKMANN, models, model, kModelBeckmann)) factor = real3(lobe);
     }
     return factor;
 }
@@ -187,50 +198,58 @@ vec3 visibility(uint light) { return vec3(1.0); }
 const uint kPartDiffuse = 1u, kPartRest = 2u, kPartAll = 3u;
 
 // The terms of one light.
-vec3 reflect_light(Surface s, Material m, Arrival a, uint part) {
+real3 reflect_light(Surface s, Material m, Arrival a, uint part) {
     if (kOutput == OUTPUT_ATTENUATION) return a.intensity;
-    vec3 factor = vec3(0.0);
-    if (wants(EFFECT_DIFFUSE) && (part & kPartDiffuse) != 0u) factor += m.diffuse * lambert(s.normal, a.l);                  // S2
-    if (wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE) && (part & kPartRest) != 0u) factor += m.specular * highlight(s, m, a.l);
+    real3 factor = real3(0.0);
+    if (wants(EFFECT_DIFFUSE) && (part & kPartDiffuse) != 0u) factor += real3(m.diffuse) * lambert(s.normal, a.l);           // S2
+    if (wants(EFFECT_SPECULAR | EFFECT_COOK_TORRANCE) && (part & kPartRest) != 0u) factor += real3(m.specular) * highlight(s, m, a.l);
     return factor * a.intensity;
 }
 
+// A sum in double stalls after 2^29 times as many terms.
+#ifdef LIGHTBENCH_FLOAT64
+#define compensates() false
+#else
+#define compensates() wants(EFFECT_COMPENSATED_SUM)
+#endif
+
 // S5. All lights of this pass. A driver that ends loops early without a word (lavapipe: 65 535 iterations for eight invocations)
 // is found out by the count: the sum becomes NaN, which the census of the image reports.
-vec3 sum_lights(Surface s, Material m, uint part) {
+real3 sum_lights(Surface s, Material m, uint part) {
     uint first = kLightCount != 0u ? 0u : push.first_light;
     uint end = kLightCount != 0u ? kLightCount : push.end_light;
     uint i = first;
     Sum3 compensated = sum_start();
-    vec3 plain = vec3(0.0);
+    real3 plain = real3(0.0);
     for (; i < end; ++i) {
         Light light = read_light(i);
         Arrival a = arrive(light, s.position);
-        a.intensity *= visibility(i - first);
-        vec3 term = reflect_light(s, m, a, part);
-        if (wants(EFFECT_COMPENSATED_SUM)) sum_add(compensated, term);
+        a.intensity *= real3(visibility(i - first));
+        real3 term = reflect_light(s, m, a, part);
+        if (compensates()) sum_add(compensated, vec3(term));
         else plain += term;
     }
-    vec3 sum = wants(EFFECT_COMPENSATED_SUM) ? sum_result(compensated) : plain;
-    if (kLightCount == 0u && i != end) sum = vec3(uintBitsToFloat(0x7fc00000u));
+    real3 sum = plain;
+    if (compensates()) sum = real3(sum_result(compensated));
+    if (kLightCount == 0u && i != end) sum = real3(uintBitsToFloat(0x7fc00000u));
     return sum;
 }
 
-vec3 shade_part(Surface s, Material m, uint part) {
-    vec3 radiance = vec3(0.0);
-    if (wants(EFFECT_EMISSION) && (part & kPartRest) != 0u) radiance += m.emission;
-    if (wants(EFFECT_AMBIENT) && (part & kPartDiffuse) != 0u) radiance += m.diffuse * push.ambient;              // S1
+real3 shade_part(Surface s, Material m, uint part) {
+    real3 radiance = real3(0.0);
+    if (wants(EFFECT_EMISSION) && (part & kPartRest) != 0u) radiance += real3(m.emission);
+    if (wants(EFFECT_AMBIENT) && (part & kPartDiffuse) != 0u) radiance += real3(m.diffuse) * real3(push.ambient); // S1
     if (wants(EFFECT_POINT_LIGHT | EFFECT_DIRECTIONAL_LIGHT | EFFECT_SPOT_LIGHT)) radiance += sum_lights(s, m, part);
     return radiance;
 }
 
-vec3 shade(Surface s, Material m) { return shade_part(s, m, kPartAll); }
+real3 shade(Surface s, Material m) { return shade_part(s, m, kPartAll); }
 
 // S12. What of the environment's radiance, which arrives from the mirror direction, leaves towards the viewer.
 vec3 mirror_factor(Surface s, Material m) {
     vec3 factor = m.mirror;
     if (wants(EFFECT_COOK_TORRANCE)) {
-        vec3 reflectance = fresnel(clamp(dot(s.normal, s.to_viewer), 0.0, 1.0), m.ior);
+        vec3 reflectance = fresnel(clamp(float(dot(s.normal, s.to_viewer)), 0.0, 1.0), m.ior);
         if ((m.kinds & 15u) != kModelPhong) factor *= reflectance;
     }
     return factor;

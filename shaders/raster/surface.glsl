@@ -23,12 +23,12 @@ layout(location = 14) in vec3 v_gradient;
 
 // Unit, outwards. Where the interpolated normal vanishes (opposite normals in a file) the face's own stands in;
 // 2^-40: shorter than that, the rounding of three unit normals' mean (2^-23 each) is what the vector consists of.
-vec3 outward_normal() {
-    vec3 n = normal;
+real3 outward_normal() {
+    real3 n = real3(normal);
     if (wants(EFFECT_VANISHING_NORMALS)) {
         vec3 face = cross(dFdx(position), dFdy(position));
         if (dot(face, push.eye - position) < 0.0) face = -face;
-        if (dot(n, n) < 9.094947e-13) n = gl_FrontFacing ? face : -face;
+        if (dot(n, n) < 9.094947e-13) n = real3(gl_FrontFacing ? face : -face);
     }
     return n * inversesqrt(max(dot(n, n), kLeastNormal));
 }
@@ -60,24 +60,24 @@ Footprint footprint(Material m) {
 
 vec3 mirrored(Surface s, Material m) {
     if (!wants(EFFECT_MIRROR_ENVIRONMENT)) return vec3(0.0);
-    vec3 r = reflected(s.normal, s.to_viewer);
+    vec3 r = reflected(vec3(s.normal), vec3(s.to_viewer));
     float turn = max(length(dFdx(r)), length(dFdy(r)));
     return mirror_factor(s, m) * surrounding_radiance(m, r, turn);
 }
 
 vec3 shade_fragment(Material m, Footprint f, vec3 modulation) {
     bool back = wants(EFFECT_TWO_SIDED) && !gl_FrontFacing;
-    vec3 n = outward_normal(), smooth_normal = back ? -n : n;
+    real3 n = outward_normal(), smooth_normal = back ? -n : n;
     Surface s = Surface(position, smooth_normal, direction_to_viewer(position));
     if (wants(EFFECT_ANY_BUMP)) {
         float lod = 0.0;
         if (wants(EFFECT_BUMP_HEIGHT | EFFECT_NORMAL_MAP)) lod = lod_of(m.bump, f.dx, f.dy);
-        n = bumped_normal(m, n, position, fragment_detail(), lod);
-        if (is_bumped(m)) s.normal = keep_facing(back ? -n : n, smooth_normal, s.to_viewer);
+        vec3 bumped = bumped_normal(m, vec3(n), position, fragment_detail(), lod);
+        if (is_bumped(m)) s.normal = real3(keep_facing(back ? -bumped : bumped, vec3(smooth_normal), vec3(s.to_viewer)));
     }
-    if (kOutput == OUTPUT_NORMAL) return s.normal;
+    if (kOutput == OUTPUT_NORMAL) return vec3(s.normal);
     m.diffuse *= modulation;
-    return shade(s, m) + mirrored(s, m);
+    return vec3(shade(s, m)) + mirrored(s, m);
 }
 
 struct Fragment {

@@ -35,6 +35,7 @@ void add_image(Words& words, const Request& r) {
     const Request d;
     words.add_if(r.method != d.method, "--method", std::string(name_of(r.method)));
     words.add_if(r.shading != d.shading, "--shading", std::string(name_of(r.shading)));
+    words.add_if(r.precision != d.precision, "--precision", "float64");
     if (r.size) words.add("--size", fmt::format("{}x{}", r.size->x, r.size->y));
     if (r.crop) words.add("--crop", fmt::format("{},{},{},{}", r.crop->offset.x, r.crop->offset.y, r.crop->size.x, r.crop->size.y));
     if (r.placed)

@@ -39,7 +39,7 @@ constexpr OptionRow kOptions[] = {
     {"--filter-width", "R[,SIGMA]", "of the Gaussian: its radius, pixels, 1 to 16, and its sigma; default 1.5, and a third of the radius"},
     {"--contrast", "R,G,B", "of adaptive sampling: (max - min) / (max + min) above which it splits; default 0.25,0.2,0.4"},
     {"--max-level", "N", "of adaptive sampling: times that a pixel is split in four at most, 0 to 6; default 2"},
-    {"--precision", "float32", "float32"},
+    {"--precision", "NAME", "of Phong's terms at each pixel (raster): float32 (default), or float64 where the device has it"},
     {"--terms", nullptr, "with an .exr: a layer for each term, reflected and refracted light, shadow, attenuation, normal, depth, object"},
     {"--stats", "FILE", "JSON about the run; - for standard output"},
     {"--count", nullptr, "fill rays and tests of --stats"},
@@ -84,32 +84,34 @@ struct Parser {
         problem(flag, fmt::format("\"{}\" must be {}", text(flag), must_be));
     }
 
-    // The index of the given name among `here`; names of `later` are known, but not in this version.
-    std::optional<std::size_t> choice(const char* flag, const std::vector<std::string>& here, const std::vector<std::string>& later) {
+    // The index of the given name.
+    std::optional<std::size_t> choice(const char* flag, const std::vector<std::string>& names) {
         if (!has(flag)) return std::nullopt;
         const std::string name = text(flag);
-        if (const auto at = std::find(here.begin(), here.end(), name); at != here.end()) return static_cast<std::size_t>(at - here.begin());
-        if (std::find(later.begin(), later.end(), name) != later.end())
-            problem(flag, fmt::format("{} is not in this version; here it must be {}", name, alternatives(here)));
-        else
-            problem(flag, fmt::format("\"{}\" is unknown; it must be {}", name, alternatives(here)));
+        if (const auto at = std::find(names.begin(), names.end(), name); at != names.end())
+            return static_cast<std::size_t>(at - names.begin());
+        problem(flag, fmt::format("\"{}\" is unknown; it must be {}", name, alternatives(names)));
         return std::nullopt;
     }
 };
 
+void parse_precision(Parser& p, Request& r) {
+    if (const auto i = p.choice("--precision", {"float32", "float64"})) r.precision = static_cast<Precision>(*i);
+    if (r.precision == Precision::float64 && (r.method != Method::raster || r.shading != Shading::phong))
+        p.problem("--precision", "float64 belongs to --method raster with --shading phong; elsewhere it must be float32");
+}
+
 void parse_choices(Parser& p, SceneOptions& o) {
-    if (const auto i = p.choice("--method", {"raster", "raytrace", "radiosity"}, {})) o.request.method = static_cast<Method>(*i);
-    if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"}, {}))
-        o.request.accel = static_cast<Structure>(*i);
-    if (const auto i = p.choice("--filter", {"box", "gaussian"}, {})) o.request.filter = static_cast<Filter>(*i);
-    p.choice("--precision", {"float32"}, {"float64"});
-    if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"}, {})) o.request.shading = static_cast<Shading>(*i);
-    if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered", "adaptive"}, {}))
-        o.request.sampling = static_cast<Sampling>(*i);
-    if (const auto i = p.choice("--model", {"phong", "cook-torrance"}, {})) o.request.model = static_cast<Model>(*i);
-    if (const auto i = p.choice("--attenuation", {"none", "linear", "inverse-square"}, {}))
+    if (const auto i = p.choice("--method", {"raster", "raytrace", "radiosity"})) o.request.method = static_cast<Method>(*i);
+    if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"})) o.request.accel = static_cast<Structure>(*i);
+    if (const auto i = p.choice("--filter", {"box", "gaussian"})) o.request.filter = static_cast<Filter>(*i);
+    if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"})) o.request.shading = static_cast<Shading>(*i);
+    parse_precision(p, o.request);
+    if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered", "adaptive"})) o.request.sampling = static_cast<Sampling>(*i);
+    if (const auto i = p.choice("--model", {"phong", "cook-torrance"})) o.request.model = static_cast<Model>(*i);
+    if (const auto i = p.choice("--attenuation", {"none", "linear", "inverse-square"}))
         o.request.attenuation = static_cast<Attenuation>(*i);
-    if (const auto i = p.choice("--progress", {"auto", "always", "never"}, {})) o.progress = static_cast<Progress>(*i);
+    if (const auto i = p.choice("--progress", {"auto", "always", "never"})) o.progress = static_cast<Progress>(*i);
 }
 
 void parse_image(Parser& p, Request& r) {
@@ -194,9 +196,9 @@ void parse_radiosity(Parser& p, const Request& request, RadiosityParameters& r) 
     p.value("--element", parse_length, length, [&](double x) { r.element = x; });
     p.value("--shots", parse_unsigned<0xffffffffu>, "a whole number from 0 to 4294967295", [&](unsigned n) { r.shots = n; });
     p.value("--until", parse_share, "a share between 0 and 1", [&](double x) { r.until = x; });
-    if (const auto i = p.choice("--solver", {"progressive", "full"}, {})) r.solver = static_cast<Solver>(*i);
-    if (const auto i = p.choice("--form-factors", {"corrected", "hemicube"}, {})) r.correct_near = *i == 0;
-    if (const auto i = p.choice("--show", {"light", "patches", "form-factors", "hemicube"}, {})) r.show = static_cast<Show>(*i);
+    if (const auto i = p.choice("--solver", {"progressive", "full"})) r.solver = static_cast<Solver>(*i);
+    if (const auto i = p.choice("--form-factors", {"corrected", "hemicube"})) r.correct_near = *i == 0;
+    if (const auto i = p.choice("--show", {"light", "patches", "form-factors", "hemicube"})) r.show = static_cast<Show>(*i);
     p.value("--pick", parse_pixel, "X,Y, a pixel, like 320,180", [&](glm::uvec2 pixel) { r.pick = pixel; });
     if ((r.show == Show::form_factors || r.show == Show::hemicube) && !p.has("--pick"))
         p.problem("--show", "--pick X,Y must say of which patch");

@@ -48,7 +48,8 @@ std::string image_size(const Plan& plan) {
 
 std::string work(const Plan& plan) {
     std::string text = plan.triangles ? grouped_count(*plan.triangles, "triangle") + ", " : "";
-    return text + grouped_count(plan.lights, "light") + ", " + image_size(plan);
+    text += grouped_count(plan.lights, "light") + ", " + image_size(plan);
+    return plan.precision == Precision::float64 ? text + ", in float64" : text;
 }
 
 std::string passes(const Plan& plan) {
@@ -115,6 +116,7 @@ std::string explain(const Plan& plan) {
 std::string explain_json(const Plan& plan) {
     ordered_json json = {{"method", name_of(plan.method)},
                          {"shading", name_of(plan.shading)},
+                         {"precision", plan.precision == Precision::float64 ? "float64" : "float32"},
                          {"width", plan.size.x},
                          {"height", plan.size.y},
                          {"crop", {plan.crop.offset.x, plan.crop.offset.y, plan.crop.size.x, plan.crop.size.y}},

@@ -54,6 +54,17 @@ void decide_samples(const Request& request, Plan& plan) {
     plan.jittered = request.sampling == Sampling::jittered;
 }
 
+// Double is of Phong's terms at each pixel; what is asked of others is said.
+void decide_precision(const Request& request, Plan& plan) {
+    if (request.precision == Precision::float32) return;
+    const auto instead = [&](std::string reason) { plan.fallbacks.push_back({"precision", std::move(reason)}); };
+    if (request.method != Method::raster || request.shading != Shading::phong)
+        return instead("float32: float64 is what the rasteriser has for shading at each pixel");
+    plan.precision = Precision::float64;
+    if (plan.effects & EFFECT_COOK_TORRANCE) instead("float32 for the highlights of Cook and Torrance");
+    if (plan.effects & EFFECT_TRANSPARENCY) instead("float32 for what one can see through");
+}
+
 void decide_cubes(const Facts& facts, Plan& plan) {
     if (!(plan.effects & EFFECT_RENDERED_CUBE) || !facts.cubes) return;
     plan.cubes = *facts.cubes;
@@ -221,6 +232,7 @@ Plan decide(const Facts& facts, const Request& asked, std::vector<Line> notes) {
     if (plan.method == Method::radiosity) note_radiosity(facts, plan);
     const std::vector<std::string> reads = decide_effects(facts, request, plan);
     decide_lights(facts, request, plan);
+    decide_precision(request, plan);
     decide_cubes(facts, plan);
     decide_samples(request, plan);
     plan.terms = decide_terms(facts, request, plan.effects, plan.ray_effects);

@@ -34,6 +34,7 @@ struct Pass {
 struct Plan {
     Method method = Method::raster;
     Shading shading = Shading::phong;
+    Precision precision = Precision::float32;
     Output output = Output::pixels;
     glm::uvec2 size{1280, 720};
     Rect crop{}; // the whole image if none was asked for

@@ -12,6 +12,7 @@ namespace lightbench {
 
 enum class Method { raster, raytrace, radiosity };
 enum class Shading { flat, gouraud, phong };
+enum class Precision { float32, float64 }; // of Phong's terms, where the rasteriser evaluates them at each pixel
 enum class Sampling { none, uniform, jittered, adaptive };
 enum class Filter { box, gaussian };
 enum class Structure { none, bvh, sphere_bvh, grid, octree }; // as ACCEL_... (shaders/shared/rays.h)
@@ -59,6 +60,7 @@ inline bool operator==(const Camera& a, const Camera& b) {
 struct Request {
     Method method = Method::raster;
     Shading shading = Shading::phong;
+    Precision precision = Precision::float32;
     std::optional<glm::uvec2> size;         // absent: the scene's [film], else 1280x720
     std::optional<Rect> crop;               // inside the image
     std::string camera;                     // name; empty: the first

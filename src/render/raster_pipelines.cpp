@@ -94,7 +94,8 @@ RasterPipelines make_raster_pipelines(gpu::Device& device, const Plan& plan, con
     if (shades_points(plan, variant))
         pipelines.shade = gpu::make_compute(device, find_shader("raster/shade_points.comp"), constants_of(plan, scene, variant),
                                             sizeof(gpu_layout::ShadePush));
-    gpu::GraphicsDesc desc = desc_of(plan, scene, variant, "raster/surface.frag");
+    const bool in_double = plan.precision == Precision::float64 && variant.output == OUTPUT_RADIANCE;
+    gpu::GraphicsDesc desc = desc_of(plan, scene, variant, in_double ? "raster/surface_float64.frag" : "raster/surface.frag");
     desc.color_formats = {kRadiance};
     std::size_t one_sided = geometry.one_sided_clusters, two_sided = geometry.opaque_clusters - geometry.one_sided_clusters;
     if (!variant.has_layers()) {

@@ -1,6 +1,8 @@
 // Runs a plan: every frame and every piece of the lights, then the display; the layers of the terms likewise.
 #include "render/render.h"
 
+#include "gpu/errors.h"
+#include "gpu/float64.h"
 #include "gpu/recorder.h"
 #include "image/display.h"
 #include "render/radiosity/run.h"
@@ -12,6 +14,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <fmt/format.h>
 #include <map>
 
 namespace lightbench {
@@ -29,6 +32,13 @@ RasterTargets& targets_for(RendererState& s, const RasterVariant& variant) {
     if (variant.samples == s.plan.multisamples) return s.targets;
     if (!s.single.resolved) s.single = make_targets(s.device, s.plan.size, 1, "layer");
     return s.single;
+}
+
+gpu::Device& device_for(const Plan& plan, gpu::Device& device) {
+    if (plan.precision == Precision::float64 && !gpu::has_float64(device))
+        throw gpu::EnvironmentError(
+            fmt::format("{} does not compute in float64; it must be --precision float32, or another --device", device.info().name));
+    return device;
 }
 
 // One frame, one piece of the lights. Emission, ambient light and the background belong to the first piece.
@@ -126,7 +136,7 @@ TessellationRequest tessellation_for(const Plan& plan, const View& view) {
 }
 
 Renderer::Renderer(gpu::Device& device, const Scene& scene, const RasterGeometry& geometry, const Plan& plan)
-    : state_(new RendererState{device,
+    : state_(new RendererState{device_for(plan, device),
                                geometry,
                                plan,
                                scene.environment,

@@ -55,6 +55,26 @@ TEST(PlanDecide, ExposureOfRadianceIsSaidToBeLeftOut) {
     EXPECT_EQ(reason_of(plan_of(lit_sphere(), with(Shading::phong)).fallbacks, "exposure"), "(none)");
 }
 
+TEST(PlanDecide, Float64IsOfPhongsTermsAtEachPixel) {
+    const auto planned = [](Scene scene, Method method, Shading shading) {
+        Request request = with(shading);
+        request.method = method, request.precision = Precision::float64;
+        return plan_of(std::move(scene), request);
+    };
+    const Plan plan = planned(lit_sphere(), Method::raster, Shading::phong);
+    EXPECT_EQ(plan.precision, Precision::float64);
+    EXPECT_EQ(reason_of(plan.fallbacks, "precision"), "(none)");
+    for (const Plan& other :
+         {planned(lit_sphere(), Method::raytrace, Shading::phong), planned(lit_sphere(), Method::raster, Shading::gouraud)}) {
+        EXPECT_EQ(other.precision, Precision::float32);
+        EXPECT_EQ(reason_of(other.fallbacks, "precision"), "float32: float64 is what the rasteriser has for shading at each pixel");
+    }
+    Scene metal = lit_sphere();
+    metal.materials[0].specular = glm::vec3(1), metal.materials[0].model = Model::cook_torrance;
+    EXPECT_EQ(reason_of(planned(metal, Method::raster, Shading::phong).fallbacks, "precision"),
+              "float32 for the highlights of Cook and Torrance");
+}
+
 TEST(PlanDecide, WithoutLightNoLightsAreRead) {
     Scene scene = bare_sphere();
     scene.environment.ambient = glm::vec3(1);

@@ -7,7 +7,7 @@
 // Breaks: 0/0 at normal incidence and for n = 1; near both, and towards grazing angles, the difference of the angles is their rounding.
 // GLSL has neither sines nor arcs of doubles: there the sines and tangents of the sum and the difference are taken by the addition theorems.
 float naive_fresnel(float c, float n) {
-#ifdef NAIVE_FLOAT64
+#ifdef LIGHTBENCH_FLOAT64
     double sine = sqrt(1.0 - double(c) * double(c)), bent = sine / double(n);
     if (bent >= 1.0) return 1.0;
     double cosine = sqrt(1.0 - bent * bent), rise = sine * cosine, run = double(c) * bent;

@@ -2,7 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #define PAIR_ARGUMENTS 3
-#define NAIVE_FLOAT64
+#define LIGHTBENCH_FLOAT64
 #include "numerics/pair.glsl"
 #include "lib/naive/contrast.glsl"
 
