@@ -12,6 +12,7 @@
 #include "app/stats.h"
 #include "app/validation.h"
 #include "measure/function_curves.h"
+#include "measure/gnuplot.h"
 
 #include <CLI/CLI.hpp>
 #include <cmath>
@@ -111,6 +112,19 @@ struct PlannedReport {
     std::vector<PlannedKnob> knobs;
 };
 
+bool wants_functions(const CostArguments& a) {
+    return std::ranges::find(a.knobs, kFunctionsKnob) != a.knobs.end();
+}
+
+// All curves as far as they are known.
+CostReport outline_of(const std::vector<PlannedKnob>& knobs, const CostArguments& a) {
+    CostReport outline;
+    for (const PlannedKnob& knob : knobs) outline.curves.push_back(planned_curve(knob));
+    if (wants_functions(a))
+        for (const kernels::Pair& pair : kernels::all_pairs()) outline.curves.push_back(curve_of({pair, 0, {}}));
+    return outline;
+}
+
 // Everything that can be wrong with the command line and the scene, before a device is opened.
 PlannedReport plan_report(const CostArguments& a, Scene& scene) {
     Problems problems;
@@ -124,6 +138,7 @@ PlannedReport plan_report(const CostArguments& a, Scene& scene) {
     texts.try_emplace("--size", default_size(scene));
     planned.options = parse_scene_options(with_method(texts, uses), problems);
     for (const KnobUse& use : uses) planned.knobs.push_back(plan_knob(use, scene, texts, problems));
+    check_outputs(a.folder, outline_of(planned.knobs, a), problems);
     if (!problems.empty()) throw UserError(problems);
     return planned;
 }
@@ -151,10 +166,23 @@ void add_functions(CostReport& report, gpu::Device& device, const kernels::PairL
     }
 }
 
+// What a user would rather know before than after.
+bool draws_plots(const Messages& messages) {
+    const bool can = has_gnuplot();
+    if (!can)
+        messages.say(
+            "warning: no plots: gnuplot, which draws the SVG files, cannot be run (Debian's package is gnuplot-nox); the rest of the "
+            "report comes, with charts in report.html");
+    return can;
+}
+
 // Knob by knob, the report written after each: what goes wrong later costs nothing that was measured. Returns how many expectations are broken.
 std::size_t measure(const PlannedReport& planned, const CostArguments& a, gpu::Device& device, const Scene& scene, CostReport& report,
                     const Messages& messages) {
-    ReportFolder folder{a.folder};
+    ReportFolder folder{a.folder, draws_plots(messages)};
+    const auto write = [&] {
+        if (const std::string why = write_report(report, folder); !why.empty()) messages.say(fmt::format("warning: no plots: {}", why));
+    };
     std::size_t broken = 0;
     for (const PlannedKnob& knob : planned.knobs) {
         const Stopwatch watch;
@@ -162,12 +190,12 @@ std::size_t measure(const PlannedReport& planned, const CostArguments& a, gpu::D
         if (swept.stopped) break;
         report.curves.push_back(swept.curve), broken += swept.broken;
         print_curve(swept.curve);
-        write_report(report, folder);
+        write();
         messages.say(fmt::format("{}: {:.1f} s", knob.knob->name, watch.milliseconds() / 1000));
     }
-    if (std::ranges::find(a.knobs, kFunctionsKnob) != a.knobs.end() && !Interrupt::came()) {
+    if (wants_functions(a) && !Interrupt::came()) {
         add_functions(report, device, pair_limits(a, planned.limits), messages);
-        write_report(report, folder);
+        write();
     }
     return broken;
 }
@@ -191,6 +219,7 @@ int cost(const CostArguments& a) {
     const PlannedReport planned = plan_report(a, scene);
     const Messages messages{planned.options.quiet, planned.options.progress};
     warn_of_overridden(planned.knobs, messages);
+    try_folder(a.folder);
     const Interrupt interrupt;
     messages.step("opening the device");
     gpu::Device device = gpu::Device::open({planned.options.device});
@@ -219,8 +248,8 @@ void add_cost(CLI::App& app, int& exit_code) {
         ->expected(1)
         ->take_all();
     sub->add_option("-o,--output", a->folder, "folder of the report; made if it is not there")->type_name("DIR");
-    sub->add_option("--rounds", a->rounds, "runs of each value at most; default 30")->type_name("N");
-    sub->add_option("--seconds", a->seconds, "of repeating the runs of a knob at most; default 60")->type_name("S");
+    sub->add_option("--rounds", a->rounds, "runs of each value at most; default 100")->type_name("N");
+    sub->add_option("--seconds", a->seconds, "of repeating the runs of a knob at most; default 240")->type_name("S");
     sub->add_flag("--list", a->list, "names the knobs, what they mean and what they are held against");
     sub->add_flag("--strict", a->strict, "exit code 1 if an error rises where theory lets it fall, or a picture differs where it may not");
     sub->callback([a, &exit_code] { exit_code = cost(*a); });

@@ -1,10 +1,11 @@
 #include "app/cost_folder.h"
 
+#include "gpu/errors.h"
 #include "image/file_bytes.h"
 #include "measure/report_csv.h"
 #include "measure/report_html.h"
 #include "measure/report_json.h"
-#include "measure/report_svg.h"
+#include "measure/report_plots.h"
 #include "measure/text.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,11 @@ void make_folder(const fs::path& path) {
     if (error) throw FileError(FileError::Blame::Environment, fmt::format("{}: cannot be made: {}", path.string(), error.message()));
 }
 
+void expect_no_folder(const fs::path& file, Problems& problems) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) problems.push_back({"-o", 0, 0, fmt::format("{} is a folder; a file goes there", file.string())});
+}
+
 } // namespace
 
 void check_folder(const std::string& typed, Problems& problems) {
@@ -62,8 +68,27 @@ void check_folder(const std::string& typed, Problems& problems) {
     for (const fs::path& folder : {whole, whole / "images"})
         if (fs::exists(folder, ignored) && !fs::is_directory(folder, ignored))
             problem(fmt::format("{} is a file; it must be a folder, or not exist yet", folder.string()));
-    for (const char* name : kFiles)
-        if (fs::is_directory(whole / name, ignored)) problem(fmt::format("{} is a folder; a file goes there", (whole / name).string()));
+    for (const char* name : kFiles) expect_no_folder(whole / name, problems);
+}
+
+void check_outputs(const std::string& typed, const CostReport& outline, Problems& problems) {
+    const fs::path whole = fs::absolute(typed).lexically_normal();
+    for (const CostCurve& curve : outline.curves) {
+        if (!curve.reference_image.empty()) expect_no_folder(whole / curve.reference_image, problems);
+        for (const CostPoint& point : curve.points) expect_no_folder(whole / point.image, problems);
+    }
+    for (const PlotFile& plot : plot_files(outline)) expect_no_folder(whole / plot.name, problems);
+}
+
+void try_folder(const fs::path& path) {
+    std::error_code ignored;
+    const bool had = fs::exists(path, ignored), had_images = fs::exists(path / "images", ignored);
+    make_folder(path / "images");
+    const fs::path trial = path / "images" / ".lightbench-trial";
+    write_file(trial.string(), "");
+    fs::remove(trial, ignored);
+    if (!had_images) fs::remove(path / "images", ignored);
+    if (!had) fs::remove(path, ignored);
 }
 
 void begin_report(ReportFolder& folder) {
@@ -78,12 +103,18 @@ void begin_report(ReportFolder& folder) {
     folder.fresh = true;
 }
 
-void write_report(const CostReport& report, ReportFolder& folder) {
+std::string write_report(const CostReport& report, ReportFolder& folder) {
     begin_report(folder);
     write_file((folder.path / "cost.csv").string(), cost_csv(report));
     write_file((folder.path / "cost.json").string(), cost_json(report));
-    write_cost_plots(report, folder.path);
     write_file((folder.path / "report.html").string(), report_html(report, folder.path));
+    try {
+        if (folder.plots) write_cost_plots(report, folder.path);
+    } catch (const gpu::EnvironmentError& error) {
+        folder.plots = false;
+        return error.what();
+    }
+    return "";
 }
 
 void remove_pictures(const CostCurve& curve, const ReportFolder& folder) {

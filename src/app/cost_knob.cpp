@@ -4,6 +4,7 @@
 #include "app/errors.h"
 #include "app/interrupt.h"
 #include "app/stats.h"
+#include "gpu/float64.h"
 #include "image/display.h"
 #include "image/files.h"
 
@@ -25,27 +26,6 @@ std::string image_of(std::string_view knob, std::string_view value) {
 std::string render_command(OptionTexts options, const std::string& image) {
     for (const char* flag : {"--quiet", "--progress"}) options.erase(flag);
     return "lightbench render " + command_of(options, std::filesystem::path(image).filename().string());
-}
-
-CostCurve planned_curve(const PlannedKnob& planned) {
-    const Knob& knob = *planned.knob;
-    CostCurve curve;
-    curve.knob = knob.name, curve.meaning = knob.meaning, curve.metric = knob.metric, curve.time_only = knob.time_only;
-    curve.reference = knob.reference;
-    curve.reference_image = image_of(knob.name, "reference");
-    curve.reference_command = render_command(planned.reference_texts[0], curve.reference_image);
-    std::set<std::string> names{curve.reference_image};
-    for (const std::string& value : planned.values) {
-        CostPoint point;
-        point.value = value, point.image = image_of(knob.name, value);
-        for (int n = 2; !names.insert(point.image).second; ++n) // "2e+1" and "2e-1"
-            point.image = image_of(knob.name, fmt::format("{}--{}", value, n));
-        point.options = with_value(knob, value, planned.base);
-        for (const char* flag : {"SCENE", "--quiet", "--progress"}) point.options.erase(flag);
-        point.command = render_command(with_value(knob, value, planned.base), point.image);
-        curve.points.push_back(std::move(point));
-    }
-    return curve;
 }
 
 // A plan that falls back to another method would measure something else than what its curve says.
@@ -82,6 +62,15 @@ std::vector<std::string> overridden_options(const PlannedKnob& planned, const Op
     return {flags.begin(), flags.end()};
 }
 
+// A reference is computed in double where it can be.
+void use_float64(PlannedKnob& planned, const gpu::Device& device) {
+    if (!planned.knob->in_float64 || !gpu::has_float64(device)) return;
+    for (std::size_t i = 0; i < 2; ++i) {
+        planned.reference_texts[i].insert_or_assign("--precision", "float64");
+        planned.references[i].request.precision = Precision::float64;
+    }
+}
+
 // A problem of a value would be told of the references too, in numbers that nobody typed.
 void plan_references(PlannedKnob& planned, const std::string& where, Problems& problems) {
     for (std::size_t i = 0; i < 2; ++i) {
@@ -111,7 +100,29 @@ PlannedKnob plan_knob(const KnobUse& use, const Scene& scene, OptionTexts base, 
     return planned;
 }
 
-Swept measure_knob(const PlannedKnob& planned, const KnobRun& run) {
+CostCurve planned_curve(const PlannedKnob& planned) {
+    const Knob& knob = *planned.knob;
+    CostCurve curve;
+    curve.knob = knob.name, curve.meaning = knob.meaning, curve.metric = knob.metric, curve.time_only = knob.time_only;
+    curve.reference = knob.reference;
+    curve.reference_image = image_of(knob.name, "reference");
+    curve.reference_command = render_command(planned.reference_texts[0], curve.reference_image);
+    std::set<std::string> names{curve.reference_image};
+    for (const std::string& value : planned.values) {
+        CostPoint point;
+        point.value = value, point.image = image_of(knob.name, value);
+        for (int n = 2; !names.insert(point.image).second; ++n) // "2e+1" and "2e-1"
+            point.image = image_of(knob.name, fmt::format("{}--{}", value, n));
+        point.options = with_value(knob, value, planned.base);
+        for (const char* flag : {"SCENE", "--quiet", "--progress"}) point.options.erase(flag);
+        point.command = render_command(with_value(knob, value, planned.base), point.image);
+        curve.points.push_back(std::move(point));
+    }
+    return curve;
+}
+
+Swept measure_knob(PlannedKnob planned, const KnobRun& run) {
+    use_float64(planned, run.device);
     const float exposure = planned.references[0].request.exposure;
     const CostCurve curve = planned_curve(planned);
     const References references = render_references(planned, run);

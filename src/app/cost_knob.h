@@ -23,6 +23,9 @@ struct PlannedKnob {
 // All problems of the values, before anything is rendered. `base`: the user's options and the size of the pictures.
 PlannedKnob plan_knob(const KnobUse& use, const Scene& scene, OptionTexts base, Problems& problems);
 
+// What is known of its curve before it is measured: names, commands, pictures, no numbers.
+CostCurve planned_curve(const PlannedKnob& planned);
+
 struct KnobRun {
     gpu::Device& device;
     const Scene& scene;
@@ -32,6 +35,6 @@ struct KnobRun {
 };
 
 // Renders, measures, writes the pictures; an Interrupt ends it early, and takes them away if nothing was measured. Throws UserError, gpu::EnvironmentError, FileError.
-Swept measure_knob(const PlannedKnob& planned, const KnobRun& run);
+Swept measure_knob(PlannedKnob planned, const KnobRun& run);
 
 } // namespace lightbench

@@ -48,7 +48,7 @@ std::string knob_list() {
         text += fmt::format("{:<14}{}\n", knob.name, knob.meaning);
         text += fmt::format("  values      {}\n", knob.values);
         if (!knob.defaults.empty()) text += fmt::format("  default     {}\n", fmt::join(knob.defaults, ", "));
-        if (knob.defaults_of) text += "  default     the radius of the scene, its half, quarter and eighth\n";
+        if (knob.defaults_of) text += "  default     the radius of the scene, 0.7 of it, its half, 0.35 and its quarter\n";
         if (!knob.method.empty()) text += fmt::format("  method      {}\n", knob.method);
         text += fmt::format("  reference   {}\n", knob.reference);
     }

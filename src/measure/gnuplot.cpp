@@ -18,6 +18,10 @@ std::string gnuplot_style(unsigned width, unsigned height) {
     return style + "set grid linecolor rgb '#dddddd' linewidth 0.6\nset border linecolor rgb '#666666'\nset tics textcolor rgb '#222222'\n";
 }
 
+bool has_gnuplot() {
+    return run_child({"gnuplot", "--version"}, "", std::chrono::seconds(10)).code == 0;
+}
+
 std::string run_gnuplot(const std::string& script) {
     constexpr std::chrono::seconds kLimit(30); // a plot takes a tenth of one
     ChildResult child = run_child({"gnuplot", "-d"}, script, kLimit);

@@ -9,6 +9,8 @@ namespace lightbench {
 // "Color universal design": told apart by the color-blind), a light grid.
 std::string gnuplot_style(unsigned width, unsigned height);
 
+bool has_gnuplot(); // it can be run
+
 // The script writes to standard output, where the SVG is taken from. No shell, no start-up files of the user.
 // Throws gpu::EnvironmentError if gnuplot is not there, takes more than 30 s or complains.
 std::string run_gnuplot(const std::string& script);

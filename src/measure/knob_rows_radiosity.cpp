@@ -59,10 +59,7 @@ Knob hemicube() {
                     for (const std::string& value : values) finest = std::max(finest, number_of(value).value_or(0));
                     refer_hemicube(options, finest, again);
                 },
-            .scale =
-                [](std::string_view v, const OptionTexts&) {
-                    return std::optional(Scale{"", number_of(v).value_or(1)});
-                },
+            .scale = scale_of_number,
             .computed = sum_of_one_hemicube,
             .axis = "pixels along an edge",
             .slopes =
@@ -97,8 +94,9 @@ Knob patch() {
         .method = "radiosity",
         .defaults_of =
             [](const Scene& scene) {
+                // Half as long are four times as many elements, and as many shots: a reference beyond these is a matter of minutes.
                 const double r = bounding_radius(scene);
-                return std::vector<std::string>{length_of(r), length_of(r / 2), length_of(r / 4), length_of(r / 8)};
+                return std::vector<std::string>{length_of(r), length_of(0.7 * r), length_of(r / 2), length_of(0.35 * r), length_of(r / 4)};
             },
         .base = until_a_hundredth,
         .apply =
@@ -107,10 +105,7 @@ Knob patch() {
                 return apply_number(value, options, "--patch");
             },
         .refer = refer_patch,
-        .scale =
-            [](std::string_view v, const OptionTexts&) {
-                return std::optional(Scale{"", 1 / number_of(v).value_or(1)});
-            },
+        .scale = scale_of_inverse,
         .axis = "1 / metres"};
 }
 

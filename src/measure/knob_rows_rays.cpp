@@ -45,10 +45,7 @@ Knob depth() {
             .apply = [](std::string_view value,
                         OptionTexts& options) { return apply_number(value, options, "--depth") && number_of(value) <= 127; },
             .refer = refer_depth,
-            .scale =
-                [](std::string_view v, const OptionTexts&) {
-                    return std::optional(Scale{"", number_of(v).value_or(1)});
-                },
+            .scale = scale_of_number,
             .axis = "levels"};
 }
 
@@ -63,36 +60,13 @@ Knob cutoff() {
             .base = [](OptionTexts& options, const Scene&) { set_if_absent(options, "--depth", "64"); },
             .apply = [](std::string_view value, OptionTexts& options) { return apply_number(value, options, "--cutoff"); },
             .refer = refer_cutoff,
-            .scale =
-                [](std::string_view v, const OptionTexts&) {
-                    return std::optional(Scale{"", 1 / number_of(v).value_or(1)});
-                },
+            .scale = scale_of_inverse,
             .axis = "1 / cut-off"};
 }
 
-void refer_structure(OptionTexts& options, std::span<const std::string>, bool) {
-    unset(options, {"--accel", "--accel-param"});
-}
-
-constexpr std::string_view kStructure = "the picture by --accel bvh, which every other must equal in every bit: time is all that differs";
-
 bool apply_structure(std::string_view value, OptionTexts& options) {
-    constexpr std::string_view names[] = {"none", "bvh", "sphere-bvh", "grid", "octree"};
-    set(options, "--accel", value);
     unset(options, {"--accel-param"});
-    return std::ranges::find(names, value) != std::end(names);
-}
-
-Knob structure() {
-    return {.name = "accel",
-            .meaning = "the structure that rays walk through",
-            .values = "none, bvh, sphere-bvh, grid or octree",
-            .reference = kStructure,
-            .method = "raytrace",
-            .defaults = {"bvh", "sphere-bvh", "grid", "octree"},
-            .time_only = true,
-            .apply = apply_structure,
-            .refer = refer_structure};
+    return apply_name(value, options, "--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"});
 }
 
 // "grid" with "density=4".
@@ -102,50 +76,56 @@ bool apply_parameter(std::string_view accel, std::string_view parameter, std::st
     return number_of(value).has_value();
 }
 
-Knob grid() {
-    return {.name = "grid-density",
-            .meaning = "cells of the grid for each primitive",
-            .values = "a number above 0, at most 1000",
-            .reference = kStructure,
-            .method = "raytrace",
-            .defaults = {"0.25", "0.5", "1", "2", "4", "8", "16", "32"},
-            .time_only = true,
-            .apply = [](std::string_view value, OptionTexts& options) { return apply_parameter("grid", "density", value, options); },
-            .refer = refer_structure};
+bool apply_density(std::string_view value, OptionTexts& options) {
+    return apply_parameter("grid", "density", value, options);
 }
 
-Knob octree() {
-    return {.name = "octree-depth",
-            .meaning = "levels of the octree at most",
-            .values = "a whole number from 1 to 20",
-            .reference = kStructure,
-            .method = "raytrace",
-            .defaults = {"1", "2", "3", "4", "6", "8", "10"},
-            .time_only = true,
-            .apply = [](std::string_view value, OptionTexts& options) { return apply_parameter("octree", "depth", value, options); },
-            .refer = refer_structure};
+bool apply_octree_depth(std::string_view value, OptionTexts& options) {
+    return apply_parameter("octree", "depth", value, options);
 }
 
-Knob leaf() {
-    return {.name = "leaf",
-            .meaning = "primitives of a leaf at most (of an octree: of a voxel before it is split)",
-            .values = "bvh/N, sphere-bvh/N (N from 1 to 4) or octree/N",
-            .reference = kStructure,
-            .method = "raytrace",
-            .defaults = {"bvh/1", "bvh/2", "bvh/3", "bvh/4", "octree/2", "octree/4", "octree/8", "octree/16", "octree/32"},
-            .time_only = true,
-            .apply =
-                [](std::string_view value, OptionTexts& options) {
-                    const auto [head, tail] = split_value(value);
-                    return (head == "bvh" || head == "sphere-bvh" || head == "octree") && apply_parameter(head, "leaf", tail, options);
-                },
-            .refer = refer_structure};
+bool apply_leaf(std::string_view value, OptionTexts& options) {
+    const auto [head, tail] = split_value(value);
+    return (head == "bvh" || head == "sphere-bvh" || head == "octree") && apply_parameter(head, "leaf", tail, options);
+}
+
+// What structures have in common: the picture.
+Knob of_structures(Knob knob) {
+    knob.reference = "the picture by --accel bvh, which every other must equal in every bit: time is all that differs";
+    knob.method = "raytrace", knob.time_only = true;
+    knob.refer = [](OptionTexts& options, std::span<const std::string>, bool) { unset(options, {"--accel", "--accel-param"}); };
+    return knob;
+}
+
+std::vector<Knob> structures() {
+    return {of_structures({.name = "accel",
+                           .meaning = "the structure that rays walk through",
+                           .values = "none, bvh, sphere-bvh, grid or octree",
+                           .defaults = {"bvh", "sphere-bvh", "grid", "octree"},
+                           .apply = apply_structure}),
+            of_structures({.name = "grid-density",
+                           .meaning = "cells of the grid for each primitive",
+                           .values = "a number above 0, at most 1000",
+                           .defaults = {"0.25", "0.5", "1", "2", "4", "8", "16", "32"},
+                           .apply = apply_density}),
+            of_structures({.name = "octree-depth",
+                           .meaning = "levels of the octree at most",
+                           .values = "a whole number from 1 to 20",
+                           .defaults = {"1", "2", "3", "4", "6", "8", "10"},
+                           .apply = apply_octree_depth}),
+            of_structures({.name = "leaf",
+                           .meaning = "primitives of a leaf at most (of an octree: of a voxel before it is split)",
+                           .values = "bvh/N, sphere-bvh/N (N from 1 to 4) or octree/N",
+                           .defaults = {"bvh/1", "bvh/2", "bvh/3", "bvh/4", "octree/2", "octree/4", "octree/8", "octree/16", "octree/32"},
+                           .apply = apply_leaf})};
 }
 
 } // namespace
 
 std::vector<Knob> ray_knobs() {
-    return {depth(), cutoff(), structure(), grid(), octree(), leaf()};
+    std::vector<Knob> knobs = structures();
+    knobs.insert(knobs.begin(), {depth(), cutoff()});
+    return knobs;
 }
 
 } // namespace lightbench

@@ -1,4 +1,4 @@
-// Knobs of what a surface is shaded by: where the model is evaluated, which model, which law of attenuation.
+// Knobs of what a surface is shaded by: where the model is evaluated, which model, which law of attenuation, in which numbers.
 #include "measure/knob_rows.h"
 
 #include <algorithm>
@@ -8,14 +8,9 @@
 namespace lightbench {
 namespace {
 
-bool is_one_of(std::string_view text, std::initializer_list<std::string_view> names) {
-    return std::ranges::find(names, text) != names.end();
-}
-
 bool apply_shading(std::string_view value, OptionTexts& options) {
     const auto [mode, level] = split_value(value);
-    if (!is_one_of(mode, {"flat", "gouraud", "phong"})) return false;
-    set(options, "--shading", mode);
+    if (!apply_name(mode, options, "--shading", {"flat", "gouraud", "phong"})) return false;
     if (level.empty()) return unset(options, {"--subdivide"}), true;
     if (level != "0" && !number_of(level)) return false;
     set(options, "--subdivide", level);
@@ -38,12 +33,15 @@ Knob shading() {
     return {.name = "shading",
             .meaning = "where the model is evaluated (polygon, vertex, pixel), and times that every surface is refined",
             .values = "flat, gouraud or phong, and /N for --subdivide N",
-            .reference = "Phong, refined two levels beyond the finest point (at most 8), the same samples; its uncertainty: one level less",
+            .reference =
+                "Phong at each pixel, in float64 where the device has it, refined two levels beyond the finest point (at most 8), the same "
+                "samples; its uncertainty: one level less",
             .method = "raster",
             .defaults = {"flat/0", "flat/1", "flat/2", "flat/3", "flat/4", "gouraud/0", "gouraud/1", "gouraud/2", "gouraud/3", "gouraud/4",
                          "phong/0", "phong/2"},
             .apply = apply_shading,
             .refer = refer_shading,
+            .in_float64 = true,
             .scale =
                 [](std::string_view v, const OptionTexts&) {
                     return std::optional(Scale{std::string(split_value(v).first), std::exp2(level_of(v))});
@@ -61,8 +59,7 @@ Knob model() {
             .defaults = {"phong", "cook-torrance"},
             .apply =
                 [](std::string_view value, OptionTexts& options) {
-                    set(options, "--model", value);
-                    return is_one_of(value, {"phong", "cook-torrance"});
+                    return apply_name(value, options, "--model", {"phong", "cook-torrance"});
                 },
             .refer = [](OptionTexts& options, std::span<const std::string>, bool) { unset(options, {"--model"}); }};
 }
@@ -76,16 +73,30 @@ Knob attenuation() {
             .defaults = {"none", "linear", "inverse-square"},
             .apply =
                 [](std::string_view value, OptionTexts& options) {
-                    set(options, "--attenuation", value);
-                    return is_one_of(value, {"none", "linear", "inverse-square"});
+                    return apply_name(value, options, "--attenuation", {"none", "linear", "inverse-square"});
                 },
             .refer = [](OptionTexts& options, std::span<const std::string>, bool) { set(options, "--attenuation", "inverse-square"); }};
+}
+
+Knob precision() {
+    return {.name = "precision",
+            .meaning = "the numbers in which Phong's terms are evaluated at each pixel, from what is interpolated in float32",
+            .values = "float32 or float64",
+            .reference =
+                "float64, all else equal, rounded to float32 where it is stored, by 6e-8 of a value; its uncertainty: the same again",
+            .method = "raster",
+            .defaults = {"float32", "float64"},
+            .apply =
+                [](std::string_view value, OptionTexts& options) {
+                    return apply_name(value, options, "--precision", {"float32", "float64"});
+                },
+            .refer = [](OptionTexts& options, std::span<const std::string>, bool) { set(options, "--precision", "float64"); }};
 }
 
 } // namespace
 
 std::vector<Knob> surface_knobs() {
-    return {shading(), model(), attenuation()};
+    return {shading(), model(), attenuation(), precision()};
 }
 
 } // namespace lightbench

@@ -137,6 +137,19 @@ bool apply_number(std::string_view value, OptionTexts& options, std::string_view
     return number_of(value).has_value();
 }
 
+bool apply_name(std::string_view value, OptionTexts& options, std::string_view flag, std::initializer_list<std::string_view> names) {
+    set(options, flag, value);
+    return std::ranges::find(names, value) != names.end();
+}
+
+std::optional<Scale> scale_of_number(std::string_view value, const OptionTexts&) {
+    return Scale{"", number_of(value).value_or(1)};
+}
+
+std::optional<Scale> scale_of_inverse(std::string_view value, const OptionTexts&) {
+    return Scale{"", 1 / number_of(value).value_or(1)};
+}
+
 void set_if_absent(OptionTexts& options, std::string_view flag, std::string_view text) {
     options.try_emplace(std::string(flag), text);
 }

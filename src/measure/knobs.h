@@ -46,6 +46,7 @@ struct Knob {
     bool (*apply)(std::string_view value, OptionTexts&) = nullptr;
     // From the options of the sweep to those of the reference; `again`: to those of a second one, which tells how sure the first is.
     void (*refer)(OptionTexts&, std::span<const std::string> values, bool again) = nullptr;
+    bool in_float64 = false; // the reference is, where the device has it
     // Null: values have no order. `options`: of the point, with the value in them.
     std::optional<Scale> (*scale)(std::string_view value, const OptionTexts& options) = nullptr;
     Errors (*computed)(std::string_view value) = nullptr; // errors that need no picture; null: there are none

@@ -1,7 +1,6 @@
 // Curves of a report drawn by gnuplot. Margins and ranges are set here, so that the pixel of every point is known and its name can be placed.
 #include "measure/report_svg.h"
 
-#include "image/file_bytes.h"
 #include "measure/gnuplot.h"
 #include "measure/labels.h"
 #include "measure/text.h"
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
-#include <set>
 
 namespace lightbench {
 namespace {
@@ -268,26 +266,6 @@ std::string time_plot(const CostReport& report, const CostCurve& curve) {
     std::string script = frame(chart, printable(fmt::format("{} ({}): time", curve.knob, curve.meaning)));
     return run_gnuplot(script + tics('x', chart.time, chart.area.high.x - chart.area.low.x, 50) + fmt::format("set ytics ({})\n", names) +
                        drawn(chart));
-}
-
-void write_cost_plots(const CostReport& report, const std::filesystem::path& folder) {
-    std::set<std::string> names;
-    const auto write = [&](const CostCurve& curve, const std::string& what, const std::string& svg) {
-        const std::string stem = file_word(curve.knob) + "-" + file_word(what);
-        std::string name = stem; // a knob may come twice
-        for (int n = 2; !names.insert(name).second; ++n) name = fmt::format("{}-{}", stem, n);
-        write_file((folder / (name + ".svg")).string(), svg);
-    };
-    for (const CostCurve& curve : report.curves) {
-        if (curve.time_only) {
-            write(curve, "time", time_plot(report, curve));
-            continue;
-        }
-        write(curve, curve.metric, cost_plot(report, curve, curve.metric));
-        const bool has_flip =
-            std::any_of(curve.points.begin(), curve.points.end(), [](const CostPoint& p) { return p.errors.contains("flip"); });
-        if (has_flip && curve.metric != "flip") write(curve, "flip", cost_plot(report, curve, "flip"));
-    }
 }
 
 } // namespace lightbench

@@ -7,10 +7,10 @@
 namespace lightbench {
 
 struct RoundLimits {
-    unsigned most = 30;           // rounds
-    double milliseconds = 60'000; // of wall time: no round begins after them
-    double share = 0.05;          // of a median, that its 95 % interval keeps within
-    bool net = false;             // variant 0 is an empty run: what it takes is taken off the others of its round before they are judged
+    unsigned most = 100;           // rounds
+    double milliseconds = 240'000; // of wall time: no round begins after them
+    double share = 0.05;           // of a median, that its 95 % interval keeps within
+    bool net = false;              // variant 0 is an empty run: what it takes is taken off the others of its round before they are judged
 };
 
 struct Timed {

@@ -111,7 +111,7 @@ TEST_F(Cost, ListNamesKnobsAndReferences) {
     const Ran ran = run({"cost", "--list"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     for (const char* name : {"shading", "model", "attenuation", "spp", "filter", "contrast", "depth", "cutoff", "accel", "hemicube",
-                             "patch", "shots", "solver", "form-factors", "grid-density", "octree-depth", "leaf", "functions"})
+                             "patch", "shots", "solver", "form-factors", "precision", "grid-density", "octree-depth", "leaf", "functions"})
         EXPECT_THAT("\n" + ran.out, HasSubstr(std::string("\n") + name + " ")) << name;
     EXPECT_THAT(ran.out, HasSubstr("1024 jittered samples a pixel"));
 }
@@ -145,6 +145,50 @@ TEST_F(Cost, AFallbackIsNotMeasured) {
                          in_folder("report"), "--knob", "hemicube=16", "--size", "32x32"});
     EXPECT_EQ(ran.code, 2);
     EXPECT_THAT(ran.err, HasSubstr("not drawn by the method that the knob belongs to"));
+}
+
+// Told before minutes are spent: whatever stands where a file goes, and folders that nobody can make.
+TEST_F(Cost, WhatIsInTheWayIsToldFirst) {
+    for (const char* name :
+         {"report/spp-flip.svg", "report/images/spp-4.png", "report/accel-time.svg", "report/images/accel-reference.png"})
+        fs::create_directories(folder / name);
+    const Ran ran = cost({"--knob", "spp=4,9", "--knob", "accel", "--size", "32x24"});
+    EXPECT_EQ(ran.code, 2);
+    for (const char* name : {"spp-flip.svg is a folder; a file goes there", "images/spp-4.png is a folder", "accel-time.svg is a folder",
+                             "images/accel-reference.png is a folder"})
+        EXPECT_THAT(ran.err, HasSubstr(name));
+    const Ran proc = run({"cost", scene(kBall), "-o", "/proc/report", "--knob", "spp=4", "--size", "32x24"});
+    EXPECT_EQ(proc.code, 3);
+    EXPECT_THAT(proc.err, HasSubstr("/proc/report"));
+    EXPECT_EQ(proc.out, "");
+}
+
+TEST_F(Cost, WithoutGnuplotAllButThePlotsIsMade) {
+    const Ran ran =
+        run({"cost", scene(kBall), "-o", in_folder("report"), "--rounds", "2", "--size", "32x24", "--knob", "spp=1,4", "--knob", "model"},
+            {{"PATH", "/nowhere"}});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_THAT(ran.err,
+                HasSubstr("warning: no plots: gnuplot, which draws the SVG files, cannot be run (Debian's package is gnuplot-nox)"));
+    EXPECT_LT(ran.err.find("warning: no plots"), ran.err.find("spp: ")); // before anything is measured, and once
+    EXPECT_EQ(ran.err.find("warning: no plots"), ran.err.rfind("warning: no plots"));
+    EXPECT_EQ(report()["curves"].size(), 2u);
+    for (const char* name : {"cost.csv", "report.html", "images/model-phong.png"})
+        EXPECT_TRUE(fs::exists(folder / "report" / name)) << name;
+    EXPECT_FALSE(fs::exists(folder / "report" / "spp-rmse.svg"));
+}
+
+TEST_F(Cost, FloatErrsByItsRoundingsOnly) {
+    const Ran ran = cost({"--knob", "precision", "--strict", "--size", "48x36"});
+    if (ran.code == 3) GTEST_SKIP() << ran.err;
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    const auto found = errors(report()["curves"][0], "relative rmse");
+    EXPECT_GT(found[0], 1e-9);
+    EXPECT_LT(found[0], 3e-6); // 20 roundings or so, of which a highlight makes some more
+    EXPECT_EQ(found[1], 0);
+    const json shading = curve({"--knob", "shading=phong,gouraud/1", "--size", "48x36"});
+    EXPECT_THAT(shading["reference"]["command"].get<std::string>(), HasSubstr("--precision float64"));
+    EXPECT_THAT(shading["points"][0]["command"].get<std::string>(), Not(HasSubstr("--precision")));
 }
 
 TEST_F(Cost, LawsReplaceTheScenesOwn) {

@@ -1,6 +1,7 @@
 // The report's page in headless Chromium: without a network and without a complaint it shows, compares and sorts, by mouse and by keys.
 // LIGHTBENCH_PAGE_SHOTS=FOLDER keeps screenshots.
 #include "browser.h"
+#include "image/files.h"
 #include "measure/report_html.h"
 #include "sample_report.h"
 
@@ -60,6 +61,27 @@ class Page : public ::testing::Test {
                         "i.naturalWidth === 64 && i.src === report.pictures[{}]; }})()",
                         image, picture));
     }
+    // Of every fourth pixel, in the middle of the square that it is enlarged to.
+    void expect_difference(const std::string& left, const std::string& right, int gain) {
+        write_sample_pictures(sample_report(), folder);
+        const Image8 a = picture_file(folder / left), b = picture_file(folder / right);
+        const auto box = browser->evaluate(
+            "(() => { const b = document.querySelector('#curve-0 .pair').getBoundingClientRect(); return [b.x, b.y, b.width]; })()");
+        browser->screenshot(folder / "seen.png");
+        const Image8 seen = picture_file(folder / "seen.png");
+        const double x = box[0], y = box[1], size = box[2].get<double>() / a.width;
+        for (unsigned j = 18; j < a.height; j += 4) // below the names
+            for (unsigned i = 2; i < a.width; i += 4) {
+                const auto at =
+                    static_cast<std::size_t>(y + (j + 0.5) * size) * seen.width + static_cast<std::size_t>(x + (i + 0.5) * size);
+                for (unsigned c = 0; c < 3; ++c) {
+                    const std::size_t k = 4 * (std::size_t{j} * a.width + i) + c;
+                    EXPECT_NEAR(seen.rgba[4 * at + c], std::min(255, gain * std::abs(a.rgba[k] - b.rgba[k])), 2)
+                        << i << " " << j << " " << c;
+                }
+            }
+    }
+    static Image8 picture_file(const fs::path& file) { return std::get<Image8>(read_image(file.string())); }
     int picture_of(int point) { return browser->evaluate(fmt::format("report.curves[0].points[{}].picture", point)); }
     void keep(const char* name) {
         if (const char* shots = std::getenv("LIGHTBENCH_PAGE_SHOTS")) browser->screenshot(fs::path(shots) / (std::string(name) + ".png"));
@@ -105,6 +127,25 @@ TEST_F(Page, TwoChosenPointsAreComparedWithASeam) {
     browser->key("ArrowRight");
     EXPECT_TRUE(browser->becomes_true(cut + " === 'inset(0px 0px 0px 25.5%)'"));
     keep("seam");
+    expect_no_complaints();
+}
+
+TEST_F(Page, WhereTwoChosenPointsDifferIsShown) {
+    open(sample_report());
+    click("#curve-0 .dot[data-index='0'] .target");
+    click("#curve-0 .dot[data-index='6'] .target");
+    EXPECT_TRUE(shown("img.under", picture_of(0)) && shown("img.over", picture_of(6)));
+    click("#curve-0 .difference button");
+    EXPECT_TRUE(browser->becomes_true("document.querySelector('#curve-0 .difference output').textContent === '8 times'"));
+    EXPECT_TRUE(browser->evaluate("document.querySelector('#curve-0 .seam').hidden"));
+    keep("difference");
+    browser->evaluate("document.querySelector('#curve-0 input.gain').focus()");
+    for (int i = 0; i < 2; ++i) browser->key("ArrowLeft");
+    EXPECT_TRUE(browser->becomes_true("document.querySelector('#curve-0 .difference output').textContent === '2 times'"));
+    expect_difference(sample_report().curves[0].points[0].image, sample_report().curves[0].points[6].image, 2);
+    click("#curve-0 .difference button");
+    EXPECT_FALSE(browser->evaluate("document.querySelector('#curve-0 .seam').hidden"));
+    EXPECT_EQ(browser->evaluate("getComputedStyle(document.querySelector('#curve-0 .pair')).filter"), "none");
     expect_no_complaints();
 }
 

@@ -2,6 +2,7 @@
 #include "measure/page.h"
 #include "measure/report_data.h"
 #include "measure/report_html.h"
+#include "measure/report_plots.h"
 #include "measure/report_svg.h"
 #include "measure/sweep.h"
 #include "measure/text.h"

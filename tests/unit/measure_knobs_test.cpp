@@ -60,7 +60,7 @@ TEST(Knobs, EachHasAReferenceOfItsMethodAndASecondOne) {
         if (knob.base) knob.base(first, unit_scene());
         second = first;
         knob.refer(first, values, false), knob.refer(second, values, true);
-        const bool exact = knob.time_only || knob.name == "model" || knob.name == "attenuation";
+        const bool exact = knob.time_only || knob.name == "model" || knob.name == "attenuation" || knob.name == "precision";
         EXPECT_EQ(first == second, exact) << knob.name;
         EXPECT_FALSE(knob.meaning.empty() || knob.reference.empty() || knob.values.empty()) << knob.name;
         std::string problem;
@@ -70,7 +70,7 @@ TEST(Knobs, EachHasAReferenceOfItsMethodAndASecondOne) {
 
 TEST(Knobs, MistakesAreNamed) {
     EXPECT_EQ(problem_of("shadnig"), "there is no knob \"shadnig\"; did you mean \"shading\"?");
-    EXPECT_THAT(problem_of("xyzzy=1"), HasSubstr("it must be one of shading, model, attenuation, spp"));
+    EXPECT_THAT(problem_of("xyzzy=1"), HasSubstr("it must be one of shading, model, attenuation, precision, spp"));
     EXPECT_EQ(problem_of("shading=flat,blinn"),
               "\"blinn\" is no value of shading; it must be flat, gouraud or phong, and /N for --subdivide N");
     EXPECT_THAT(problem_of("spp="), HasSubstr("a value of spp is empty"));
@@ -141,7 +141,7 @@ TEST(Knobs, WithoutValuesTheKnobsOwnAreTaken) {
     EXPECT_EQ(default_values(*use->knob, unit_scene()).size(), 12u);
     const auto lengths = default_values(*find_knob("patch"), unit_scene()); // a unit cube: its sphere's radius is 0.866
     EXPECT_EQ(lengths.front(), "0.866");
-    EXPECT_EQ(lengths.size(), 4u);
+    EXPECT_EQ(lengths.size(), 5u);
 }
 
 TEST(Knobs, CommandsAreForAShell) {
