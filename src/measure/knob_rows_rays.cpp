@@ -89,9 +89,10 @@ bool apply_leaf(std::string_view value, OptionTexts& options) {
     return (head == "bvh" || head == "sphere-bvh" || head == "octree") && apply_parameter(head, "leaf", tail, options);
 }
 
+constexpr std::string_view kStructure = "the picture by --accel bvh, which every other must equal in every bit: time is all that differs";
+
 // What structures have in common: the picture.
 Knob of_structures(Knob knob) {
-    knob.reference = "the picture by --accel bvh, which every other must equal in every bit: time is all that differs";
     knob.method = "raytrace", knob.time_only = true;
     knob.refer = [](OptionTexts& options, std::span<const std::string>, bool) { unset(options, {"--accel", "--accel-param"}); };
     return knob;
@@ -101,21 +102,25 @@ std::vector<Knob> structures() {
     return {of_structures({.name = "accel",
                            .meaning = "the structure that rays walk through",
                            .values = "none, bvh, sphere-bvh, grid or octree",
+                           .reference = kStructure,
                            .defaults = {"bvh", "sphere-bvh", "grid", "octree"},
                            .apply = apply_structure}),
             of_structures({.name = "grid-density",
                            .meaning = "cells of the grid for each primitive",
                            .values = "a number above 0, at most 1000",
+                           .reference = kStructure,
                            .defaults = {"0.25", "0.5", "1", "2", "4", "8", "16", "32"},
                            .apply = apply_density}),
             of_structures({.name = "octree-depth",
                            .meaning = "levels of the octree at most",
                            .values = "a whole number from 1 to 20",
-                           .defaults = {"1", "2", "3", "4", "6", "8", "10"},
+                           .reference = kStructure,
+                           .defaults = {"2", "3", "4", "5", "6", "8", "10"}, // one level tests an eighth of a scene for every ray: minutes
                            .apply = apply_octree_depth}),
             of_structures({.name = "leaf",
                            .meaning = "primitives of a leaf at most (of an octree: of a voxel before it is split)",
                            .values = "bvh/N, sphere-bvh/N (N from 1 to 4) or octree/N",
+                           .reference = kStructure,
                            .defaults = {"bvh/1", "bvh/2", "bvh/3", "bvh/4", "octree/2", "octree/4", "octree/8", "octree/16", "octree/32"},
                            .apply = apply_leaf})};
 }

@@ -20,22 +20,28 @@ class Float64Factors : public Kernel {
 const Bound kRounded = Bound::function([](std::span<const float>, double expected) { return 1.01 * kU * std::abs(expected) + 1.3e-38; });
 
 template <class T> struct Cosines {
-    T nl, rv; // N.L, R.V of unit vectors
+    T nl, rv;  // N.L, R.V of unit vectors
+    T missing; // 1 - R.V, with its digits
 };
 
 template <class T> Cosines<T> cosines(std::span<const T> in) {
     const auto dot = [&](std::size_t a, std::size_t b) { return T(in[a] * in[b] + in[a + 1] * in[b + 1] + in[a + 2] * in[b + 2]); };
     using std::sqrt;
     const T n = sqrt(dot(0, 0)), l = sqrt(dot(3, 3)), v = sqrt(dot(6, 6)), nl = T(dot(0, 3) / (n * l));
-    return {nl, T(2 * nl * dot(0, 6) / (n * v) - dot(3, 6) / (l * v))};
+    T missing = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const T off = 2 * nl * in[i] / n - in[3 + i] / l - in[6 + i] / v;
+        missing += off * off / 2;
+    }
+    return {nl, T(1 - missing), missing};
 }
 
 const auto kPower = [](auto in) {
     using T = std::remove_cvref_t<decltype(in[0])>;
     const Cosines<T> c = cosines<T>(in);
     if (c.nl <= 0 || c.rv <= 0) return T(0);
-    using std::log;
-    const T x = in[9] * log(c.rv);
+    using std::log1p;
+    const T x = in[9] * log1p(T(-c.missing));
     return x < -87.3 ? T(0) : T(exp(x));
 };
 

@@ -57,7 +57,7 @@ function setUp(section, curve, pictures) {
     addTo(bar, "span", "hint", legend(curve));
     const pictured = curve.points.some((p) => p.picture !== null);
     addReference(viewerBar, curve.reference, choice.toggle, marks);
-    addTo(viewerBar, "span", "hint", pictured ? "choose two points to compare, or to see their difference" : "this knob has no pictures");
+    addTo(viewerBar, "span", "hint", pictured ? "choose two points to compare" : "this knob has no pictures");
     addRowButtons(section, choice.toggle, marks);
     for (const [button] of marks.buttons) button.setAttribute("aria-pressed", "false");
     rest();

@@ -45,7 +45,7 @@ function addDifference(parts) {
 
 function makeStage(figure) {
     const stage = addTo(figure, "div", "stage"), pair = addTo(stage, "div", "pair"), under = addTo(pair, "img", "under"), over = addTo(pair, "img", "over");
-    const parts = { figure, stage, under, over, seam: addTo(stage, "div", "seam"), left: addTo(stage, "span", "side left"), right: addTo(stage, "span", "side right") };
+    const parts = { figure, differs: false, stage, under, over, seam: addTo(stage, "div", "seam"), left: addTo(stage, "span", "side left"), right: addTo(stage, "span", "side right") };
     for (const image of [under, over]) image.addEventListener("load", () => image.classList.toggle("enlarged", image.naturalWidth < image.clientWidth));
     parts.slider = addTo(figure, "input", "");
     Object.assign(parts.slider, { type: "range", min: 0, max: 100, step: 0.5, value: 50 });
