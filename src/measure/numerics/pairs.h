@@ -59,7 +59,7 @@ struct PairLimits {
     std::size_t inputs = 1u << 15;      // judged, at most
     std::size_t invocations = 1u << 15; // of a timed run
     double least_milliseconds = 10;     // of a timed run, if turns allow
-    RoundLimits rounds{.most = 15, .milliseconds = 4000};
+    RoundLimits rounds{.most = 100, .milliseconds = 8000};
 };
 
 PairFinding measure_pair(gpu::Device& device, const Pair& pair, const PairLimits& limits = {});
