@@ -2,6 +2,7 @@
 #include "plan/plan.h"
 
 #include "plan/effects.h"
+#include "plan/fate.h"
 #include "plan/passes.h"
 #include "plan/radiosity.h"
 #include "scene/distribution.h"
@@ -20,20 +21,15 @@ namespace {
 std::vector<std::string> decide_effects(const Facts& facts, const Request& request, Plan& plan) {
     std::set<std::string> reads;
     for (const Effect& effect : effects()) {
-        const std::string name(effect.name);
-        Verdict verdict = effect.wanted(facts, request);
-        if (request.method == Method::radiosity && verdict.wanted)
-            if (const std::string why = left_out_by_radiosity(effect.name, facts, request.radiosity); !why.empty()) verdict = {false, why};
-        if (!verdict.wanted) {
-            plan.skipped.push_back({name, verdict.reason});
-        } else if (effect.bit == 0 && (effect.ray_bit == 0 || request.method != Method::raytrace)) {
-            plan.fallbacks.push_back({name, fmt::format("{}: {}; the rasteriser knows no rays", verdict.reason, effect.instead)});
-        } else {
-            plan.wanted.push_back({name, verdict.reason});
-            plan.effects |= effect.bit;
-            if (request.method == Method::raytrace) plan.ray_effects |= effect.ray_bit;
-            reads.insert(effect.reads.begin(), effect.reads.end());
-        }
+        Decision decision = decide_effect(effect, facts, request);
+        std::vector<Line>& lines = decision.fate == Fate::drawn      ? plan.wanted
+                                   : decision.fate == Fate::replaced ? plan.fallbacks
+                                                                     : plan.skipped;
+        lines.push_back({std::string(effect.name), std::move(decision.reason)});
+        if (decision.fate != Fate::drawn) continue;
+        plan.effects |= effect.bit;
+        if (request.method == Method::raytrace) plan.ray_effects |= effect.ray_bit;
+        reads.insert(effect.reads.begin(), effect.reads.end());
     }
     return {reads.begin(), reads.end()};
 }
@@ -206,10 +202,9 @@ std::vector<std::string> effect_names(const Plan& plan) {
 
 Plan decide(const Facts& facts, const Request& asked, std::vector<Line> notes) {
     Request request = asked;
-    if (const Verdict verdict = radiosity_verdict(facts, request.radiosity); asked.method == Method::radiosity && !verdict.wanted) {
-        notes.push_back({"radiosity", fmt::format("{}: drawn by the rasteriser", verdict.reason)});
-        request.method = Method::raster;
-    }
+    request.method = method_for(facts, asked);
+    if (request.method != asked.method)
+        notes.push_back({"radiosity", fmt::format("{}: drawn by the rasteriser", radiosity_verdict(facts, asked.radiosity).reason)});
     Plan plan;
     plan.method = request.method, plan.shading = request.shading, plan.output = request.output;
     plan.size = request.size.value_or(plan.size);

@@ -5,7 +5,6 @@
 #include "app/numbers.h"
 #include "app/view/camera.h"
 #include "plan/complete.h"
-#include "plan/effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,38 +17,16 @@ constexpr const char *kModels[] = {"Phong", "Cook-Torrance"}, *kLaws[] = {"none"
                      *kStructures[] = {"none", "bvh", "sphere-bvh", "grid", "octree"},
                      *kShows[] = {"light", "patches", "form factors", "hemi-cube"}, *kMaps[] = {"wipe", "difference", "FLIP"};
 
-struct StripRow {
-    Action action;
-    std::uint32_t bit;
-    std::vector<std::string_view> effects; // of the plan; one of them wanted: there is something to leave out
-};
-
-const std::vector<StripRow>& strips() {
-    static const std::vector<StripRow> rows = {
-        {Action::texture, kWithoutTexture, {"texture", "checker"}},
-        {Action::bump, kWithoutBump, {"bump: noise", "bump: waves", "bump: height image", "bump: normal map"}},
-        {Action::environment, kWithoutEnvironment, {"environment: mirrored", "environment: background"}},
-        {Action::transparency, kWithoutTransparency, {"transparency", "transmission"}},
-        {Action::reflection, kWithoutReflection, {"reflection"}},
-    };
-    return rows;
-}
-
-const StripRow* strip_of(Action action) {
-    const auto row = std::ranges::find(strips(), action, &StripRow::action);
-    return row == strips().end() ? nullptr : &*row;
-}
-
-// The first reason, if none of the effects is wanted.
-std::optional<std::string> none_wanted(const std::vector<std::string_view>& names, const Facts& facts, const Request& request) {
-    std::optional<std::string> reason;
-    for (const Effect& effect : effects()) {
-        if (std::ranges::find(names, effect.name) == names.end()) continue;
-        const Verdict verdict = effect.wanted(facts, request);
-        if (verdict.wanted) return std::nullopt;
-        if (!reason) reason = verdict.reason;
+// What an action leaves out; 0: it does something else.
+std::uint32_t strip_of(Action action) {
+    switch (action) {
+    case Action::texture: return kWithoutTexture;
+    case Action::bump: return kWithoutBump;
+    case Action::environment: return kWithoutEnvironment;
+    case Action::transparency: return kWithoutTransparency;
+    case Action::reflection: return kWithoutReflection;
+    default: return 0;
     }
-    return reason;
 }
 
 // From "as the scene says" over each value back to it.
@@ -147,6 +124,7 @@ Opened open_scene(std::filesystem::path file, Scene scene, const Request& reques
     Scene completed = scene;
     Request plain = request;
     plain.edits = {}, plain.model.reset(), plain.attenuation.reset();
+    plain.method = Method::raster; // a headlight, where any method needs one
     CompleteResult result = complete(completed, plain);
     if (!result.completed) throw UserError(result.problems);
     Facts facts = gather_facts(completed);
@@ -171,35 +149,9 @@ State start(const Request& request, const Opened& opened) {
     return s;
 }
 
-std::optional<std::string> unavailable(Action action, const State& state, const Opened& opened) {
-    const Request& r = state.side();
-    if (const StripRow* row = strip_of(action)) return none_wanted(row->effects, opened.facts, r);
-    const bool rays = r.method == Method::raytrace, radiosity = r.method == Method::radiosity;
-    switch (action) {
-    case Action::flat:
-    case Action::gouraud:
-    case Action::phong:
-        if (radiosity) return "radiosity interpolates what it solved";
-        if (rays && action == Action::gouraud) return "rays meet points, not vertices";
-        return std::nullopt;
-    case Action::model: return none_wanted({"specular", "cook-torrance: gaussian", "cook-torrance: beckmann"}, opened.facts, r);
-    case Action::attenuation:
-        return none_wanted({"attenuation: none", "attenuation: linear", "attenuation: inverse-square"}, opened.facts, r);
-    case Action::depth_more:
-    case Action::depth_less:
-    case Action::structure: return rays ? std::nullopt : std::optional<std::string>("no rays are traced");
-    case Action::hemicube_more:
-    case Action::hemicube_less:
-    case Action::show: return radiosity ? std::nullopt : std::optional<std::string>("belongs to radiosity");
-    case Action::side:
-    case Action::map: return state.split ? std::nullopt : std::optional<std::string>("there is one side");
-    default: return std::nullopt;
-    }
-}
-
 void apply(Action action, State& state, const Opened& opened, double aspect) {
     if (unavailable(action, state, opened)) return;
-    if (const StripRow* row = strip_of(action)) state.side().edits.without ^= row->bit;
+    state.side().edits.without ^= strip_of(action);
     apply_shading(action, state.side());
     apply_detail(action, state.side());
     apply_compare(action, state);
@@ -208,7 +160,7 @@ void apply(Action action, State& state, const Opened& opened, double aspect) {
 
 std::string setting_of(Action action, const State& s) {
     const Request& r = s.side();
-    if (const StripRow* row = strip_of(action)) return on_off(!(r.edits.without & row->bit));
+    if (const std::uint32_t bit = strip_of(action)) return on_off(!(r.edits.without & bit));
     switch (action) {
     case Action::raster:
     case Action::raytrace:
@@ -242,6 +194,7 @@ Request request_of(const State& state, unsigned side, glm::uvec2 size) {
     // What is rendered is what the text of the camera says: the command line that is copied has no other.
     r.placed = parse_camera(text_of(state.camera));
     if (r.method != Method::raytrace && r.sampling == Sampling::adaptive) r.sampling = Sampling::none;
+    if (r.sampling == Sampling::adaptive) r.spp = 1;
     if (r.method != Method::radiosity) r.radiosity = {};
     if (r.radiosity.pick && r.radiosity.show == Show::light) r.radiosity.pick.reset();
     return r;

@@ -41,6 +41,7 @@ struct State {
     Map map = Map::wipe;
     Camera camera{};
     bool wireframe = false, normals = false, panel = true, help = false, vsync = true, quit = false;
+    bool screen_waits = true; // vsync means something
     Drag drag = Drag::none;
     std::map<std::string, float> sliders{}; // values of shader constants, also of those that are gone for a while
     bool copy = false, screenshot = false;  // asked for, not done yet
