@@ -8,6 +8,7 @@
 namespace lightbench::gpu {
 
 std::vector<std::uint32_t> with_defaults(const ShaderCode& code, const Constants& constants) {
+    if (constants.empty()) return {code.words.begin(), code.words.end()};
     std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> values;
     for (const auto& [id, value] : constants) values[id] = {value};
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_3);

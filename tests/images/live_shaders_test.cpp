@@ -1,5 +1,6 @@
 // Shaders that are edited: what depends on what, errors where they were made, and what does not fit refused before it can do harm.
 #include "image/child_process.h"
+#include "render/live/endless.h"
 #include "render/live/fits.h"
 #include "render/live/shader_tree.h"
 #include "render/shaders.h"
@@ -63,6 +64,31 @@ TEST_F(LiveShaders, TellWhatDependsOnAFile) {
     fs::remove(folder / "shaders/lib/phong.glsl");
     EXPECT_THAT(tree.refresh(), ElementsAre("lib/phong.glsl"));
     EXPECT_EQ(tree.dependents(std::vector<std::string>{"lib/phong.glsl"}), names);
+}
+
+TEST_F(LiveShaders, MustHaveAWayOutOfEachLoop) {
+    ShaderTree tree(folder / "shaders");
+    const auto message_of = [&](const std::string& loop) {
+        fs::copy(fs::path(LIGHTBENCH_SOURCE) / "shaders/lib/phong.glsl", folder / "shaders/lib/phong.glsl",
+                 fs::copy_options::overwrite_existing);
+        edit("lib/phong.glsl", "float c = dot(n, l);", "float c = dot(n, l);\n    " + loop);
+        tree.refresh();
+        const auto compiled = tree.compile({"raster/surface.frag", "raster/shade_points.comp"});
+        std::string all;
+        for (const ShaderError& error : compiled.errors) all += to_string(error) + "\n";
+        return all;
+    };
+    for (const char* endless : {"while (true) c = sin(c);", "for (;;) for (int i = 0; i < 9; ++i) c += 1.0;",
+                                "do { if (c > 2.0) continue; c += 1.0; } while (1 > 0);"})
+        EXPECT_EQ(message_of(endless),
+                  fmt::format("{}:12: this loop has no way out\n    {}\n", (folder / "shaders/lib/phong.glsl").string(), endless));
+    for (const char* fine : {"while (true) { c += 1.0; if (c > 9.0) break; }", "for (;;) { if (c > 9.0) return c; c += 1.0; }",
+                             "while (false) c = sin(c);", "while (c > 0.0) c = abs(c);"})
+        EXPECT_EQ(message_of(fine), "");
+}
+
+TEST(EndlessLoops, AreInNoneOfTheProgramsShaders) {
+    for (const gpu::ShaderCode& code : lightbench_shaders_table()) EXPECT_FALSE(endless_loop(code.words)) << code.name;
 }
 
 TEST_F(LiveShaders, CompileToWhatTheProgramHas) {

@@ -4,6 +4,7 @@
 #include "image/file_bytes.h"
 #include "image/temporary_folder.h"
 #include "render/live/compiler_errors.h"
+#include "render/live/endless.h"
 #include "render/live/fits.h"
 #include "render/live/shader_tree.h"
 #include "render/shaders.h"
@@ -28,13 +29,14 @@ struct Output {
     std::vector<std::uint32_t> words;
 };
 
-Output compile_one(const fs::path& stage, const std::string& name, std::chrono::milliseconds limit, const std::function<bool()>& stop) {
+// `lines`: with the place of everything.
+Output compile_one(const fs::path& stage, const std::string& name, std::chrono::milliseconds limit, const std::function<bool()>& stop,
+                   bool lines = false) {
     const std::string out = (stage / (name + ".spv")).string();
-    Output output{name,
-                  run_child({"glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.3", fmt::format("-I{}", stage.string()), "-o",
-                             out, (stage / name).string()},
-                            "", limit, stop),
-                  {}};
+    std::vector<std::string> command = {"glslangValidator", "--quiet", "-V", "--target-env", "vulkan1.3"};
+    if (lines) command.emplace_back("-g");
+    command.insert(command.end(), {fmt::format("-I{}", stage.string()), "-o", out, (stage / name).string()});
+    Output output{name, run_child(command, "", limit, stop), {}};
     if (output.child.code != 0) return output;
     const auto bytes = read_file(out);
     output.words.resize(bytes.size() / 4);
@@ -42,7 +44,19 @@ Output compile_one(const fs::path& stage, const std::string& name, std::chrono::
     return output;
 }
 
-void take(Output output, const Origins& origins, CompiledShaders& result) {
+// A loop without a way out, at its place, for which the shader is compiled once more: one for all shaders, as they share it mostly. True: there
+// is such a loop.
+bool find_endless(const Output& output, const Origins& origins, const std::function<bool()>& stop, ShaderErrors& errors) {
+    const std::string message = "this loop has no way out";
+    if (!endless_loop(output.words)) return false;
+    if (std::ranges::find(errors, message, &ShaderError::message) != errors.end()) return true;
+    const Output placed = compile_one(origins.stage, output.name, std::chrono::seconds(10), stop, true);
+    const auto loop = endless_loop(placed.words).value_or(EndlessLoop{});
+    add_error(errors, origins.error_at(loop.file.empty() ? output.name : loop.file, loop.line, message));
+    return true;
+}
+
+void take(Output output, const Origins& origins, const std::function<bool()>& stop, CompiledShaders& result) {
     const auto fail = [&](std::string message) { add_error(result.errors, origins.error_at(output.name, 0, std::move(message))); };
     if (!output.child.started())
         throw gpu::EnvironmentError("glslangValidator, which compiles edited shaders, is not installed (package glslang-tools)");
@@ -58,7 +72,7 @@ void take(Output output, const Origins& origins, CompiledShaders& result) {
     }
     const auto sentences = misfits(find_shader(output.name), output.words);
     for (const std::string& sentence : sentences) fail(sentence);
-    if (sentences.empty()) result.modules[output.name] = std::move(output.words);
+    if (sentences.empty() && !find_endless(output, origins, stop, result.errors)) result.modules[output.name] = std::move(output.words);
 }
 
 // Several at a time, as there are cores.
@@ -84,18 +98,33 @@ std::vector<Output> compile_all(const fs::path& stage, const std::set<std::strin
 
 } // namespace
 
+// The copy that is compiled. It is kept: ext4 searches long for inodes after so many files were deleted.
+struct ShaderTree::Stage {
+    TemporaryFolder folder{"shaders"};
+    std::map<std::string, std::string> texts;
+};
+
+void ShaderTree::update(Stage& stage, const std::map<std::string, std::string>& texts) {
+    for (const auto& [name, text] : stage.texts)
+        if (!texts.contains(name)) fs::remove(stage.folder.path / name);
+    for (const auto& [name, text] : texts) {
+        if (const auto known = stage.texts.find(name); known != stage.texts.end() && known->second == text) continue;
+        fs::create_directories((stage.folder.path / name).parent_path());
+        std::ofstream(stage.folder.path / name, std::ios::binary) << text;
+    }
+    stage.texts = texts;
+}
+
 CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit,
                                     const std::function<bool()>& stop) const {
     CompiledShaders result;
     std::set<std::string> spoilt, present;
     const auto staged = stage_texts(result, spoilt);
     if (entry_points.empty()) return result;
-    const TemporaryFolder stage("shaders");
-    const Origins origins{root_, sources_.user_files, sources_.texts, stage.path.string()};
-    for (const auto& [name, text] : staged) {
-        fs::create_directories((stage.path / name).parent_path());
-        std::ofstream(stage.path / name, std::ios::binary) << text;
-    }
+    if (!stage_) stage_ = std::make_shared<Stage>();
+    const fs::path& stage = stage_->folder.path;
+    update(*stage_, staged);
+    const Origins origins{root_, sources_.user_files, sources_.texts, stage.string()};
     for (const std::string& name : entry_points)
         if (!sources_.texts.contains(name))
             add_error(result.errors, origins.error_at(name, 0, "is gone"));
@@ -103,10 +132,10 @@ CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, s
             add_error(result.errors, origins.error_at(name, 0, "is empty"));
         else if (!spoilt.contains(name))
             present.insert(name);
-    std::vector<Output> outputs = compile_all(stage.path, present, limit, stop);
+    std::vector<Output> outputs = compile_all(stage, present, limit, stop);
     result.stopped = std::ranges::any_of(outputs, [](const Output& output) { return output.child.stopped; });
     if (result.stopped) return result;
-    for (Output& output : outputs) take(std::move(output), origins, result);
+    for (Output& output : outputs) take(std::move(output), origins, stop, result);
     return result;
 }
 

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <ctime>
 #include <fmt/format.h>
 #include <optional>
+#include <sys/stat.h>
 
 namespace lightbench {
 
@@ -20,6 +22,21 @@ namespace {
 bool is_source(const fs::path& file) {
     static const std::set<std::string> known = {".glsl", ".vert", ".frag", ".comp", ".h"};
     return known.contains(file.extension().string());
+}
+
+// None: not a regular file.
+std::optional<FileStamp> stamp_of(const fs::path& file) {
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+    const std::int64_t changed = std::int64_t{status.st_ctim.tv_sec} * 1'000'000'000 + status.st_ctim.tv_nsec;
+    return FileStamp{changed, static_cast<std::uint64_t>(status.st_size), status.st_ino};
+}
+
+// Clocks of file systems are as coarse as two seconds (FAT).
+bool is_fresh(const FileStamp& stamp) {
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME, &now);
+    return now.tv_sec - stamp.changed / 1'000'000'000 < 3;
 }
 
 void put(Sources& sources, const std::string& name, SourceFile read) {
@@ -50,23 +67,39 @@ ShaderTree::ShaderTree(fs::path root, std::vector<fs::path> replacements) : root
     refresh();
 }
 
-Sources ShaderTree::read() const {
-    Sources sources;
+void ShaderTree::read_root(Sources& sources, Stamps& stamps) const {
     std::error_code ignored;
     for (auto entry = fs::recursive_directory_iterator(root_, ignored); entry != fs::recursive_directory_iterator();
-         entry.increment(ignored))
-        if (entry->is_regular_file(ignored) && is_source(entry->path()))
-            put(sources, entry->path().lexically_relative(root_).generic_string(), read_source(entry->path()));
+         entry.increment(ignored)) {
+        if (!is_source(entry->path())) continue;
+        const std::string name = entry->path().lexically_relative(root_).generic_string();
+        const std::optional<FileStamp> now = stamp_of(entry->path());
+        if (!now) continue;
+        const auto known = stamps_.find(name);
+        if (known != stamps_.end() && known->second == *now && !sources_.faults.contains(name))
+            sources.texts[name] = sources_.texts.at(name);
+        else
+            put(sources, name, read_source(entry->path()));
+        if (!is_fresh(*now)) stamps[name] = *now;
+    }
+}
+
+Sources ShaderTree::read(Stamps& stamps) const {
+    Sources sources;
+    read_root(sources, stamps);
     for (const auto& [name, file] : replacements_) read_user(sources, name, file, root_);
     return sources;
 }
 
 bool ShaderTree::is_stale() const {
-    return read() != sources_;
+    Stamps stamps;
+    return read(stamps) != sources_;
 }
 
 std::vector<std::string> ShaderTree::refresh() {
-    Sources next = read();
+    Stamps stamps;
+    Sources next = read(stamps);
+    stamps_ = std::move(stamps);
     const auto at = [](const std::map<std::string, std::string>& texts, const std::string& name) {
         const auto found = texts.find(name);
         return found == texts.end() ? std::optional<std::string>() : found->second;

@@ -6,9 +6,11 @@
 #include "render/live/sliders.h"
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -32,13 +34,20 @@ struct Sources {
     bool operator==(const Sources&) const = default;
 };
 
+// Of a file that was read: it is read again once one of these is another, or if it was so new then that a later save may have the same.
+struct FileStamp {
+    std::int64_t changed = 0; // nanoseconds
+    std::uint64_t bytes = 0, node = 0;
+    bool operator==(const FileStamp&) const = default;
+};
+
 class ShaderTree {
   public:
     // `root` is shaders/ of a source tree or of an installation; `replacements` are files with functions that take the place of those of the
     // same name below lib/.
     explicit ShaderTree(std::filesystem::path root, std::vector<std::filesystem::path> replacements = {});
 
-    // Reads every file anew, and which it includes. Names of those that changed since the last time, appeared or are gone.
+    // Reads what was saved since, and which files it includes. Names of those that changed since the last time, appeared or are gone.
     std::vector<std::string> refresh();
     bool is_stale() const; // refresh() would find something
     // Files of the root that are not as they were when the program was built.
@@ -47,19 +56,26 @@ class ShaderTree {
     std::set<std::string> dependents(std::span<const std::string> files) const;
     // Entry points that replacements reach.
     std::set<std::string> replaced() const;
-    // In a child each, `limit` for all together. Once `stop` is true they are ended.
+    // In a child each, `limit` for all together. Once `stop` is true they are ended. One call at a time, of copies too.
     CompiledShaders compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit = std::chrono::seconds(20),
                             const std::function<bool()>& stop = {}) const;
 
   private:
-    Sources read() const;
+    using Stamps = std::map<std::string, FileStamp>; // by name
+    Sources read(Stamps& stamps) const;
+    void read_root(Sources& sources, Stamps& stamps) const;
     // What is compiled: sources with functions replaced and sliders made. Notes what is wrong with them, and entry points that need not be
     // compiled because of it.
     std::map<std::string, std::string> stage_texts(CompiledShaders& result, std::set<std::string>& spoilt) const;
 
+    struct Stage;
+    static void update(Stage& stage, const std::map<std::string, std::string>& texts);
+
     std::filesystem::path root_;
+    mutable std::shared_ptr<Stage> stage_;                      // of compile(), from its first call on
     std::map<std::string, std::filesystem::path> replacements_; // by their names
     Sources sources_;
+    Stamps stamps_;
 };
 
 // shaders/ of the source tree that the program was built from, or of the installation. LIGHTBENCH_SHADERS names another. Empty: none is there.
