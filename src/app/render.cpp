@@ -15,6 +15,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <iostream>
 #include <memory>
 
 namespace lightbench {
@@ -82,12 +83,20 @@ struct Run {
     std::optional<gpu::Device> device{};  // opened when the first frame is ready: a wrong camera is no reason to wait for a driver
 };
 
+// Of --spirv: "-" stands for a line of standard input, which comes once the entry points are there. Until then everything else is made ready.
+std::string modules_folder(const std::string& named) {
+    if (named != "-") return named;
+    std::string line;
+    if (!std::getline(std::cin, line)) throw UserError("--spirv", "no folder came on standard input");
+    return line;
+}
+
 gpu::Device& device_of(Run& run) {
     if (run.device) return *run.device;
     run.messages.step("opening the device");
     run.device.emplace(gpu::Device::open({run.options.device}));
     if (!run.spirv.empty())
-        use_modules(*run.device, run.spirv);
+        use_modules(*run.device, modules_folder(run.spirv));
     else
         use_shaders(*run.device, run.options.shaders, run.options.sliders);
     run.messages.step("rendering on " + run.device->info().name);
@@ -213,7 +222,9 @@ void add_render(CLI::App& app, int& exit_code) {
     sub->add_option("-o,--output", arguments->output, "the picture: .png or .exr; with --frames its name holds %04d")
         ->required()
         ->type_name("FILE");
-    sub->add_option("--spirv", arguments->spirv, "compiled entry points in place of the program's own: DIR/raster/surface.frag.spv ...")
+    sub->add_option(
+           "--spirv", arguments->spirv,
+           "compiled entry points in place of the program's own: DIR/raster/surface.frag.spv ...; -: DIR is read from standard input")
         ->type_name("DIR");
     sub->add_option_function<std::string>(
            "--budget", [arguments](const std::string& text) { arguments->budget.budget = text; },

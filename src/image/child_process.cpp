@@ -140,6 +140,11 @@ bool wait_until(pid_t child, int& status, End& end) {
     }
 }
 
+// The child may have had no time to found its group.
+void kill_group(pid_t child) {
+    ::kill(-child, SIGKILL), ::kill(child, SIGKILL);
+}
+
 // A reader that ends early must not end us: its write is an error instead of a signal.
 struct IgnorePipeSignal {
     struct sigaction before {};
@@ -154,25 +159,43 @@ struct IgnorePipeSignal {
 
 } // namespace
 
-ChildResult run_child(const std::vector<std::string>& arguments, const std::string& in, std::chrono::milliseconds limit,
-                      const std::function<bool()>& stop) {
+struct Child::Parts {
+    Pipes pipes;
+    pid_t id = 0; // 0: there is none to wait for
+};
+
+Child::Child(const std::vector<std::string>& arguments, std::chrono::milliseconds limit) : parts_(std::make_unique<Parts>()) {
+    parts_->id = start(arguments, limit, parts_->pipes);
+    parts_->pipes.in.close_read(), parts_->pipes.out.close_write(), parts_->pipes.err.close_write();
+    ::fcntl(parts_->pipes.in.write, F_SETFL, O_NONBLOCK);
+}
+
+Child::Child(Child&&) noexcept = default;
+
+Child::~Child() {
+    if (parts_ && parts_->id > 0) kill_group(parts_->id), ::waitpid(parts_->id, nullptr, 0);
+}
+
+ChildResult Child::finish(const std::string& in, std::chrono::milliseconds limit, const std::function<bool()>& stop) {
     const IgnorePipeSignal ignored;
     ChildResult result;
-    Pipes pipes;
-    End end{Clock::now() + limit, stop};
-    const pid_t child = start(arguments, limit, pipes);
+    const pid_t child = std::exchange(parts_->id, 0);
     if (child == 0) return result;
-    pipes.in.close_read(), pipes.out.close_write(), pipes.err.close_write();
-    ::fcntl(pipes.in.write, F_SETFL, O_NONBLOCK);
+    End end{Clock::now() + limit, stop};
     int status = 0;
-    const bool ended = exchange(pipes, in, end, result) && wait_until(child, status, end);
+    const bool ended = exchange(parts_->pipes, in, end, result) && wait_until(child, status, end);
     if (!ended) {
-        ::kill(-child, SIGKILL), ::kill(child, SIGKILL); // it may have had no time to found its group
+        kill_group(child);
         ::waitpid(child, &status, 0);
         result.stopped = end.stopped, result.timed_out = !end.stopped;
     }
     result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return result;
+}
+
+ChildResult run_child(const std::vector<std::string>& arguments, const std::string& in, std::chrono::milliseconds limit,
+                      const std::function<bool()>& stop) {
+    return Child(arguments, limit).finish(in, limit, stop);
 }
 
 } // namespace lightbench

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sys/wait.h>
@@ -51,6 +52,28 @@ TEST(ChildProcess, EndsSoonOnceItIsNotWanted) {
     EXPECT_TRUE(stopped.stopped && !stopped.timed_out);
     EXPECT_TRUE(run_child({"sh", "-c", "exec >&- 2>&-; sleep 60"}, "", 60s, stop).stopped) << "outputs closed";
     EXPECT_LT(std::chrono::steady_clock::now() - start, 5s);
+}
+
+TEST(ChildProcess, WaitsForItsInputBesideOthers) {
+    Child first({"sh", "-c", "read a; echo first $a"}, 10s);
+    Child second({"sh", "-c", "read a; echo second $a"}, 10s);
+    EXPECT_EQ(run_child({"echo", "third"}, "", 10s).out, "third\n");
+    EXPECT_EQ(second.finish("b\n", 10s).out, "second b\n");
+    EXPECT_EQ(first.finish("a\n", 10s).out, "first a\n");
+    EXPECT_FALSE(Child({"/nowhere/at/all"}, 10s).finish("", 10s).started());
+}
+
+TEST(ChildProcess, EndsWhenNobodyWantsIt) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(::pipe(ends.data()), 0);
+    std::array<char, 16> text{};
+    {
+        const Child child({"sh", "-c", fmt::format("echo $$ >&{}; exec sleep 60", ends[1])}, 60s);
+        ASSERT_GT(::read(ends[0], text.data(), text.size() - 1), 0);
+        EXPECT_FALSE(ended(std::atoi(text.data())));
+    }
+    EXPECT_TRUE(ended(std::atoi(text.data())));
+    ::close(ends[0]), ::close(ends[1]);
 }
 
 // A program that is killed leaves nobody behind.

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 
 namespace {
 
-constexpr std::chrono::milliseconds kWatchEvery(200);
+constexpr std::chrono::milliseconds kWatchEvery(50);
 constexpr std::chrono::seconds kFirstPicture(3);
 constexpr std::size_t kAtOnce = 4; // entry points that nothing shown uses: a save in between is seen soon
 
@@ -114,7 +114,7 @@ void LiveShaders::run() {
     wait_for_a_picture();
     for (bool failed = false; !stop_;) {
         try {
-            if (look()) failed = false;
+            if (look() || second_chance()) failed = false;
             if (!failed) failed = !step();
         } catch (const std::exception& error) { // no compiler, no room for its files
             failed = !fail({{"", 0, error.what(), ""}}) || failed;
@@ -124,11 +124,18 @@ void LiveShaders::run() {
     }
 }
 
+// True, once after a trial failed: it is time.
+bool LiveShaders::second_chance() {
+    if (!second_ || Clock::now() < *second_) return false;
+    second_ = Clock::time_point::max(), ends_ = ends_ || news_.sliders == SliderState::locked;
+    return true;
+}
+
 // True: something changed.
 bool LiveShaders::look() {
     const std::vector<std::string> changed = tree_.refresh();
     if (changed.empty()) return false;
-    touched_ = changed.back(), tried_.clear();
+    touched_ = changed.back(), tried_.clear(), second_.reset();
     pending_.merge(tree_.dependents(changed));
     if (std::ranges::any_of(changed, [](const std::string& name) { return name.starts_with("user/"); })) {
         pending_.merge(std::exchange(reached_, tree_.replaced())); // a function may have left the file, and its original is back

@@ -55,10 +55,12 @@ class LiveShaders {
     bool has_work() const;
     bool step();
     bool show(const std::set<std::string>& names, const Trial& trial);
-    bool try_ready(const Trial& trial);
+    bool try_ready(TrialRun& run);
     bool try_ends(const Trial& trial);
     bool compile_others(const std::set<std::string>& names);
     bool fail(ShaderErrors errors);
+    bool fail_for_now(const std::string& problem);
+    bool second_chance();
     ShaderError blamed(std::string text) const;
     std::function<bool()> interruption() const;
     void publish(const std::function<void(LiveNews&)>& change);
@@ -74,14 +76,15 @@ class LiveShaders {
     LiveNews news_;
     std::atomic<bool> stop_ = false;
     // Of its thread:
-    ShaderSet set_;                 // the next good one
-    ShaderModules ready_;           // compiled, not tried yet: nothing that is shown uses them
-    std::set<std::string> pending_; // entry points whose sources changed since they were compiled
-    std::set<std::string> reached_; // by replacements, when last looked
-    std::string touched_;           // the file that changed last
-    std::string tried_;             // pictures that were, since the last change
-    bool ends_ = false;             // of sliders are to be tried
-    std::thread thread_;            // the last: it uses all of the above
+    ShaderSet set_;                                               // the next good one
+    ShaderModules ready_;                                         // compiled, not tried yet: nothing that is shown uses them
+    std::set<std::string> pending_;                               // entry points whose sources changed since they were compiled
+    std::set<std::string> reached_;                               // by replacements, when last looked
+    std::string touched_;                                         // the file that changed last
+    std::string tried_;                                           // pictures that were, since the last change
+    bool ends_ = false;                                           // of sliders are to be tried
+    std::optional<std::chrono::steady_clock::time_point> second_; // chance of a trial that failed since the last change
+    std::thread thread_;                                          // the last: it uses all of the above
 };
 
 } // namespace lightbench::view

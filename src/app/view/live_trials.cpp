@@ -7,7 +7,7 @@ namespace lightbench::view {
 
 namespace {
 
-constexpr std::chrono::seconds kCompileTime(10);
+constexpr std::chrono::seconds kCompileTime(10), kSecondChance(2);
 
 // "gain at 2", "all sliders at their most".
 std::string end_of(const std::vector<Slider>& sliders, bool most) {
@@ -45,23 +45,33 @@ bool LiveShaders::compile_others(const std::set<std::string>& names) {
     return true;
 }
 
+// The trial's children start while the compiler runs.
 bool LiveShaders::show(const std::set<std::string>& names, const Trial& trial) {
+    TrialRun run(trial);
+    if (names.empty()) return try_ready(run);
     publish([](LiveNews& news) { news.doing = "compiling shaders"; });
     CompiledShaders compiled = tree_.compile(names, kCompileTime, interruption());
     if (compiled.stopped) return true;
     if (!compiled.errors.empty()) return fail(std::move(compiled.errors));
     for (auto& [name, words] : compiled.modules) pending_.erase(name), ready_[name] = std::move(words);
-    return try_ready(trial);
+    return try_ready(run);
+}
+
+// A machine that was busy, a child that was killed: what failed is tried once more, unless a save comes first.
+bool LiveShaders::fail_for_now(const std::string& problem) {
+    if (!second_) second_ = std::chrono::steady_clock::now() + kSecondChance;
+    return fail({blamed(problem)});
 }
 
 // What the pictures use becomes good.
-bool LiveShaders::try_ready(const Trial& trial) {
+bool LiveShaders::try_ready(TrialRun& run) {
     publish([](LiveNews& news) { news.doing = "trying the shaders aside"; });
+    const Trial& trial = run.trial();
     auto next = std::make_shared<ShaderSet>(set_);
     for (const auto& [name, words] : ready_) next->modules[name] = words;
-    const Tried tried = try_shaders(trial, next->modules, constants_of(*next, trial.sliders), interruption());
+    const Tried tried = run.finish(next->modules, constants_of(*next, trial.sliders), interruption());
     if (tried.stopped) return true;
-    if (!tried.problem.empty()) return fail({blamed(tried.problem)});
+    if (!tried.problem.empty()) return fail_for_now(tried.problem);
     std::set<std::string> changed;
     for (const std::string& name : tried.used)
         if (auto module = ready_.extract(name)) changed.insert(name), set_.modules[name] = std::move(module.mapped());
@@ -81,11 +91,12 @@ bool LiveShaders::try_ends(const Trial& trial) {
     std::string problem;
     for (const bool most : {false, true}) {
         if (set_.modules.empty() || set_.sliders.empty() || !problem.empty()) break;
-        const Tried tried = try_shaders(trial, set_.modules, constants_of(set_, values_at(set_.sliders, most)), interruption());
+        const Tried tried = TrialRun(trial).finish(set_.modules, constants_of(set_, values_at(set_.sliders, most)), interruption());
         if (tried.stopped) return true;
         if (!tried.problem.empty()) problem = fmt::format("with {}, {}", end_of(set_.sliders, most), tried.problem);
     }
     ends_ = false;
+    if (!problem.empty() && !second_) second_ = std::chrono::steady_clock::now() + kSecondChance;
     publish([&](LiveNews& news) { news.sliders = problem.empty() ? SliderState::free : SliderState::locked, news.locked = problem; });
     return true;
 }

@@ -2,8 +2,6 @@
 
 #include "app/command_line.h"
 #include "gpu/spec_defaults.h"
-#include "image/child_process.h"
-#include "image/temporary_folder.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -44,27 +42,39 @@ double seconds_of(const Request& request, double small_milliseconds) {
     return small_milliseconds / 1000 * (double(all.x) * all.y) / (double(few.x) * few.y);
 }
 
-Tried try_picture(const Trial& trial, const Request& request, const fs::path& folder, const std::function<bool()>& stop) {
+// The picture's name in the folder does not matter: nobody looks at it.
+std::vector<std::string> command_for(const Trial& trial, const Request& request, const fs::path& folder) {
     std::vector<std::string> words = {"/proc/self/exe", "render", trial.scene.string()};
     for (std::string& word : options_for(trial, request)) words.push_back(std::move(word));
-    for (const std::string& word : {std::string("--quiet"), std::string("--spirv"), (folder / "spirv").string(), std::string("--stats"),
-                                    std::string("-"), std::string("-o"), (folder / "trial.png").string()})
-        words.push_back(word);
-    const auto limit = request.method == Method::raster ? kTrialLimit : kLongTrialLimit;
-    const ChildResult child = run_child(words, "", limit, stop);
-    const std::string picture = "a first small picture, drawn aside,";
-    if (child.stopped) return {"", {}, true};
-    if (child.timed_out) return {fmt::format("{} ran for more than {} s", picture, limit.count())};
-    if (child.code > 128) return {fmt::format("{} ended the program with signal {}", picture, child.code - 128)};
-    if (child.code != 0) return {fmt::format("{} failed: {}", picture, last_line(child.err))};
+    for (const char* word : {"--quiet", "--spirv", "-", "--stats", "-", "-o"}) words.emplace_back(word);
+    words.push_back((folder / "trial.png").string());
+    return words;
+}
+
+std::chrono::seconds limit_of(const Request& request) {
+    return request.method == Method::raster ? kTrialLimit : kLongTrialLimit;
+}
+
+const char* const kPicture = "a first small picture, drawn aside,";
+
+// What a child that ended by itself says of the picture.
+Tried read_report(const Request& request, const ChildResult& child) {
     Tried tried;
     const auto stats = nlohmann::json::parse(child.out, nullptr, false);
-    if (!stats.is_object()) return {fmt::format("{} said nothing of itself", picture)};
+    if (!stats.is_object()) return {fmt::format("{} said nothing of itself", kPicture)};
     for (const auto& name : stats["shaders"]) tried.used.insert(name.get<std::string>());
     if (const double all = request.method == Method::raster ? seconds_of(request, stats["time"]["device"].get<double>()) : 0;
         all > kMostSeconds)
-        return {fmt::format("{} took so long that the picture shown would take about {:.0f} s", picture, all)};
+        return {fmt::format("{} took so long that the picture shown would take about {:.0f} s", kPicture, all)};
     return tried;
+}
+
+Tried report_of(const Request& request, const ChildResult& child) {
+    if (child.stopped) return {"", {}, true};
+    if (child.timed_out) return {fmt::format("{} ran for more than {} s", kPicture, limit_of(request).count())};
+    if (child.code > 128) return {fmt::format("{} ended the program with signal {}", kPicture, child.code - 128)};
+    if (child.code != 0) return {fmt::format("{} failed: {}", kPicture, last_line(child.err))};
+    return read_report(request, child);
 }
 
 } // namespace
@@ -78,16 +88,21 @@ std::string key_of(const Trial& trial) {
     return key;
 }
 
-Tried try_shaders(const Trial& trial, const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop) {
-    const TemporaryFolder folder("trial");
+TrialRun::TrialRun(Trial trial) : trial_(std::move(trial)), folder_("trial") {
+    std::set<std::vector<std::string>> done;
+    for (const Request& request : trial_.requests)
+        if (done.insert(options_for(trial_, request)).second)
+            pictures_.push_back({request, Child(command_for(trial_, request, folder_.path), limit_of(request))});
+}
+
+Tried TrialRun::finish(const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop) {
     ShaderModules set;
     for (const auto& [name, words] : modules) set[name] = gpu::with_defaults({name, words}, constants);
-    write_modules(set, folder.path / "spirv");
+    const fs::path spirv = folder_.path / "spirv";
+    write_modules(set, spirv);
     Tried all;
-    std::set<std::vector<std::string>> done;
-    for (const Request& request : trial.requests) {
-        if (!done.insert(options_for(trial, request)).second) continue;
-        Tried one = try_picture(trial, request, folder.path, stop);
+    for (auto& [request, child] : pictures_) {
+        Tried one = report_of(request, child.finish(spirv.string() + "\n", limit_of(request), stop));
         if (one.stopped || !one.problem.empty()) return one;
         all.used.merge(one.used);
     }

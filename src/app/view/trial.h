@@ -2,6 +2,8 @@
 #pragma once
 
 #include "app/live_shaders.h"
+#include "image/child_process.h"
+#include "image/temporary_folder.h"
 #include "plan/request.h"
 
 #include <functional>
@@ -35,6 +37,23 @@ struct Tried {
     std::set<std::string> used{}; // entry points that they used
     bool stopped = false;         // because `stop` was true
 };
-Tried try_shaders(const Trial& trial, const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop);
+
+// Children that open their device and prepare the pictures while the shaders are still being compiled. They end when this goes away.
+class TrialRun {
+  public:
+    explicit TrialRun(Trial trial);
+    // Once.
+    Tried finish(const ShaderModules& modules, const gpu::Constants& constants, const std::function<bool()>& stop);
+    const Trial& trial() const { return trial_; }
+
+  private:
+    Trial trial_;
+    TemporaryFolder folder_;
+    struct Picture {
+        Request request;
+        Child child;
+    };
+    std::vector<Picture> pictures_;
+};
 
 } // namespace lightbench::view
