@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <utility>
 
 namespace lightbench::view {
 
@@ -17,14 +18,18 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenLooks(250);
 constexpr std::size_t kRemembered = 10;
 
-ReadScene read(const fs::path& file, bool allow_outside) {
+ReadScene read(const fs::path& file, bool allow_outside, const Request& request) {
     ReadScene out{file, std::nullopt, {}};
     try {
         LoadOptions options;
         options.allow_outside = allow_outside;
         Loaded loaded = load_scene(file, options);
-        out.scene = std::move(loaded.scene);
-        if (!out.scene) out.problems = problem_lines(loaded, file);
+        if (loaded.scene)
+            out.opened = open_scene(file, std::move(*loaded.scene), request, 0);
+        else
+            out.problems = problem_lines(loaded, file);
+    } catch (const UserError& error) {
+        out.problems = error.lines;
     } catch (const std::exception& error) {
         out.problems = {error.what()};
     }
@@ -50,9 +55,13 @@ SceneFile::~SceneFile() {
 }
 
 void SceneFile::open(fs::path file) {
-    if (reading_.valid()) reading_.wait();
     file_ = std::move(file);
-    reading_ = std::async(std::launch::async, read, file_, allow_outside_);
+    again_ = reading_.valid(); // the window does not wait for it
+    if (!again_) start();
+}
+
+void SceneFile::start() {
+    reading_ = std::async(std::launch::async, read, file_, allow_outside_, request_);
 }
 
 void SceneFile::watch_files(const fs::path& file, const Scene* scene) {
@@ -83,7 +92,10 @@ void SceneFile::watch() {
 
 std::optional<ReadScene> SceneFile::taken() {
     if (!reading_.valid() || reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
-    return reading_.get();
+    std::optional<ReadScene> out = reading_.get();
+    if (!std::exchange(again_, false)) return out;
+    start();
+    return std::nullopt; // nobody wants that any more
 }
 
 std::vector<std::string> recent_files() {

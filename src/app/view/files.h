@@ -1,6 +1,7 @@
 // Scene files of the viewer: read beside the window's thread, watched, and remembered.
 #pragma once
 
+#include "app/view/state.h"
 #include "scene/load.h"
 
 #include <chrono>
@@ -15,14 +16,15 @@ namespace lightbench::view {
 
 struct ReadScene {
     std::filesystem::path file;
-    std::optional<Scene> scene;        // none: there are problems
+    std::optional<Opened> opened;      // none: there are problems; its version is the caller's to set
     std::vector<std::string> problems; // lines
 };
 
 class SceneFile {
   public:
-    explicit SceneFile(bool allow_outside) : allow_outside_(allow_outside) {}
+    SceneFile(bool allow_outside, Request request) : allow_outside_(allow_outside), request_(std::move(request)) {}
     ~SceneFile();
+    // Once what is being read has been taken; the latest counts.
     void open(std::filesystem::path file);
     // Reads again if one of the files changed, half a second after the last look at most.
     void watch();
@@ -34,8 +36,11 @@ class SceneFile {
 
   private:
     using Times = std::map<std::filesystem::path, std::filesystem::file_time_type>;
+    void start();
     bool allow_outside_;
+    Request request_;
     std::filesystem::path file_;
+    bool again_ = false; // file_ is to be read after what is being read
     std::future<ReadScene> reading_;
     Times times_;
     std::chrono::steady_clock::time_point looked_{};

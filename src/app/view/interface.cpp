@@ -150,12 +150,12 @@ std::string legend(const State& state) {
 void draw_wipe(const State& state, const PictureArea& area) {
     if (!state.split || state.map != Map::wipe || area.size.x <= 0) return;
     const float x = area.at.x + state.wipe * area.size.x, bottom = area.at.y + area.size.y;
+    const float unit = ImGui::GetIO().FontGlobalScale, middle = area.at.y + area.size.y / 2, text = middle - ImGui::GetFontSize() / 2;
     ImDrawList* list = ImGui::GetBackgroundDrawList();
-    list->AddLine(ImVec2(x, area.at.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 220), 2);
-    list->AddCircleFilled(ImVec2(x, area.at.y + area.size.y / 2), 6, IM_COL32(255, 255, 255, 220));
-    const float middle = area.at.y + area.size.y / 2 - ImGui::GetFontSize() / 2;
-    list->AddText(ImVec2(x - 18, middle), IM_COL32(255, 255, 255, 255), "A");
-    list->AddText(ImVec2(x + 11, middle), IM_COL32(255, 255, 255, 255), "B");
+    list->AddLine(ImVec2(x, area.at.y), ImVec2(x, bottom), IM_COL32(255, 255, 255, 220), 2 * unit);
+    list->AddCircleFilled(ImVec2(x, middle), 6 * unit, IM_COL32(255, 255, 255, 220));
+    list->AddText(ImVec2(x - 18 * unit, text), IM_COL32(255, 255, 255, 255), "A");
+    list->AddText(ImVec2(x + 11 * unit, text), IM_COL32(255, 255, 255, 255), "B");
 }
 
 void draw_panel(State& state, const Shown& shown, float width, float height, Hand& hand) {

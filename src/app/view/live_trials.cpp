@@ -1,13 +1,15 @@
 // The part of LiveShaders that compiles and tries: what is shown first, the rest when it is.
 #include "app/view/live.h"
+#include "app/view/priority.h"
 
 #include <fmt/format.h>
+#include <future>
 
 namespace lightbench::view {
 
 namespace {
 
-constexpr std::chrono::seconds kCompileTime(10), kSecondChance(2);
+constexpr std::chrono::seconds kCompileTime(10), kLaterTime(60), kSecondChance(2);
 
 // "gain at 2", "all sliders at their most".
 std::string end_of(const std::vector<Slider>& sliders, bool most) {
@@ -37,7 +39,11 @@ ShaderError LiveShaders::blamed(std::string text) const {
 
 bool LiveShaders::compile_others(const std::set<std::string>& names) {
     publish([&](LiveNews& news) { news.doing = fmt::format("compiling {} shaders that nothing shown uses", pending_.size()); });
-    CompiledShaders compiled = tree_.compile(names, kCompileTime, interruption());
+    const auto compile = [&] {
+        give_way(Priority::later); // the picture is being drawn with what was compiled before
+        return tree_.compile(names, kLaterTime, interruption());
+    };
+    CompiledShaders compiled = std::async(std::launch::async, compile).get();
     if (compiled.stopped) return true;
     if (!compiled.errors.empty()) return fail(std::move(compiled.errors));
     for (auto& [name, words] : compiled.modules) pending_.erase(name), ready_[name] = std::move(words);

@@ -8,7 +8,7 @@
 namespace lightbench::view {
 namespace {
 
-constexpr float kGrip = 8;        // units about the wipe's line
+constexpr float kGrip = 8;        // units about the wipe's line, at scale 1
 constexpr double kTurn = 0.006;   // radians a unit of a drag
 constexpr float kClickSlack = 16; // square of the units that a hand may shake in a click
 
@@ -17,7 +17,7 @@ Drag begun(const State& state, const PictureArea& area) {
     const bool inside = mouse.x >= area.room_at.x && mouse.x < area.room_at.x + area.room.x && mouse.y >= area.room_at.y &&
                         mouse.y < area.room_at.y + area.room.y;
     if (!inside) return Drag::none;
-    const bool on_line = std::abs(mouse.x - (area.at.x + state.wipe * area.size.x)) <= kGrip;
+    const bool on_line = std::abs(mouse.x - (area.at.x + state.wipe * area.size.x)) <= kGrip * ImGui::GetIO().FontGlobalScale;
     return state.split && state.map == Map::wipe && on_line ? Drag::wipe : Drag::camera;
 }
 

@@ -49,7 +49,7 @@ void set_picture(PictureOnScreen& p, const Screen& screen, const Image8& picture
     p.pending = &picture;
     const vk::Extent2D size{picture.width, picture.height};
     if (size == p.size) return;
-    screen.device.waitIdle();
+    if (*p.image) screen.device.waitIdle(); // a frame may still show it
     p.size = size;
     make_image(p, screen);
     make_staging(p, screen);

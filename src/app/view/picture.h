@@ -32,7 +32,7 @@ struct PictureOnScreen {
     const Image8* pending = nullptr;                // to be copied by the next frame; the caller's, alive until then
 };
 
-// Takes the picture's size; if it changes, waits for the device.
+// Takes the picture's size; if it changes from another picture's, waits for the device.
 void set_picture(PictureOnScreen& p, const Screen& screen, const Image8& picture);
 
 // Commands that bring a pending picture to the device.

@@ -34,10 +34,11 @@ class Presenter {
     void set_picture(unsigned slot, std::shared_ptr<const Image8> picture); // 2 slots
     void set_vsync(bool on);
     void begin_frame();
-    // Draws what ImGui::Render() left. False: the window has no area, nothing was shown.
+    // Draws what ImGui::Render() left. False: nothing was shown; the window has no area, or the screen and the driver are not done with the
+    // frames before.
     bool present(std::span<const Placement> pictures);
     std::shared_ptr<const gpu::ValidationLog> validation_log() const;
-    std::string device_name() const;
+    bool waits_for_screen() const; // if it is told to: a driver on the CPU copies into the window
 
   private:
     std::unique_ptr<PresenterParts> parts_;

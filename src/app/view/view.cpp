@@ -48,7 +48,7 @@ int run_viewer(const ViewArguments& arguments) {
     const SceneOptions& scene = options.scene;
     view::Opened opened = view::open_scene(scene.scene, load_or_throw(scene.scene, scene.allow_outside), scene.request, 1);
     const Interrupt interrupt({SIGINT, SIGTERM, SIGHUP});
-    view::Viewer viewer(options, std::move(opened), gpu::Device::open({scene.device}));
+    view::Viewer viewer(options, std::move(opened), view::open_beside_window({scene.device}));
     viewer.run();
     viewer.close();
     return Interrupt::came() ? 128 + Interrupt::signal() : 0;

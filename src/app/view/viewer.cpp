@@ -31,6 +31,12 @@ glm::dvec3 direction_of(Action action) {
     }
 }
 
+// For scenes that are opened later: cameras and crops are of the first.
+Request without_view(Request request) {
+    request.camera.clear(), request.placed.reset(), request.frame.reset(), request.crop.reset();
+    return request;
+}
+
 std::string free_name(const std::filesystem::path& folder) {
     for (unsigned i = 1;; ++i)
         if (const auto path = folder / fmt::format("lightbench-{:04}.png", i); !std::filesystem::exists(path)) return path.string();
@@ -56,10 +62,11 @@ Interface::~Interface() {
 Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
     : options_(options), log_(options.log), opened_(std::move(opened)), state_(start(options.scene.request, opened_)),
       window_(fmt::format("{} - lightbench", opened_.file.filename().string()), opened_.size, static_cast<unsigned>(kPanelWidth)),
-      file_(options.scene.allow_outside) {
+      file_(options.scene.allow_outside, without_view(options.scene.request)) {
     state_.vsync = options.vsync;
     style_interface(window_.scale());
     presenter_.emplace(window_.handle(), device.info().name);
+    state_.screen_waits = presenter_->waits_for_screen();
     worker_.emplace(std::move(device), [] { Window::wake(); });
     file_.watch_files(opened_.file, opened_.scene.get());
     remember_file(opened_.file);
@@ -68,9 +75,23 @@ Viewer::Viewer(const ViewOptions& options, Opened opened, gpu::Device device)
 }
 
 void Viewer::run() {
-    while (!state_.quit && !window_.closing() && !Interrupt::came()) step();
+    while (!state_.quit && !window_.closing() && !Interrupt::came()) {
+        const double wanted = patience();
+        const Stopwatch waited;
+        Input input = window_.wait(wanted);
+        const double late = waited.milliseconds() - 1000 * wanted; // others had the processor
+        const Stopwatch busy;
+        step(input);
+        note_block(std::max(late, busy.milliseconds()));
+    }
     window_.hide(); // what is still being done may take a while to end
-    log_.say("quit after {} frames", frames_);
+    log_.say("quit after {} frames, longest block {:.0f} ms", frames_, longest_block_);
+}
+
+// Milliseconds in which nothing that hands did was seen.
+void Viewer::note_block(double milliseconds) {
+    if (milliseconds > 100) log_.say("blocked {:.0f} ms", milliseconds);
+    longest_block_ = std::max(longest_block_, milliseconds);
 }
 
 void Viewer::close() {
@@ -86,12 +107,12 @@ void Viewer::close() {
 
 // Seconds to wait for something to happen.
 double Viewer::patience() const {
-    if (first_ || flown_ != Clock::time_point{}) return 0.005;
+    if (first_ || flown_ != Clock::time_point{} || (!shown_ && !minimized_)) return 0.005;
     return moving() || size_ != wanted_size_ ? 0.02 : news_.busy || file_.reading() ? 0.1 : 0.25;
 }
 
-void Viewer::step() {
-    take_input(window_.wait(patience()));
+void Viewer::step(const Input& input) {
+    take_input(input);
     file_.watch();
     if (auto read = file_.taken()) take_scene(std::move(*read));
     const glm::ivec2 framebuffer = window_.framebuffer();
@@ -149,18 +170,13 @@ void Viewer::fly() {
 void Viewer::take_scene(ReadScene read) {
     problems_ = read.problems;
     const bool same_file = read.file == opened_.file;
-    if (read.scene) {
-        try {
-            Request request = options_.scene.request;
-            request.camera.clear(), request.placed.reset(), request.frame.reset(), request.crop.reset();
-            opened_ = open_scene(read.file, std::move(*read.scene), request, opened_.version + 1);
-            if (!same_file) state_.camera = opened_.camera, remember_file(read.file), recent_ = recent_files();
-            window_.set_title(fmt::format("{} - lightbench", opened_.file.filename().string()));
-        } catch (const UserError& error) {
-            problems_ = error.lines;
-        }
+    if (read.opened) {
+        const std::uint64_t version = opened_.version + 1;
+        opened_ = std::move(*read.opened), opened_.version = version;
+        if (!same_file) state_.camera = opened_.camera, remember_file(read.file), recent_ = recent_files();
+        window_.set_title(fmt::format("{} - lightbench", opened_.file.filename().string()));
     }
-    if (problems_.empty() || same_file) file_.watch_files(opened_.file, problems_.empty() ? opened_.scene.get() : nullptr);
+    file_.watch_files(opened_.file, problems_.empty() || !same_file ? opened_.scene.get() : nullptr);
     if (problems_.empty())
         log_.say("opened {}", read.file.string());
     else

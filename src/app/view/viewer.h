@@ -46,7 +46,8 @@ class Viewer {
 
   private:
     using Clock = std::chrono::steady_clock;
-    void step();
+    void step(const Input& input);
+    void note_block(double milliseconds);
     double patience() const;
     void take_input(const Input& input);
     void take_scene(ReadScene read);
@@ -96,9 +97,10 @@ class Viewer {
     Message message_{};
     glm::uvec2 size_{0}, wanted_size_{0}; // of the picture; the wanted one is taken once the window rests
     Clock::time_point sized_{}, moved_{}, flown_{};
-    std::uint64_t told_ = 0;   // of News::settled
-    std::uint64_t frames_ = 0; // of the window
-    bool first_ = true, minimized_ = false;
+    std::uint64_t told_ = 0;                               // of News::settled
+    std::uint64_t frames_ = 0;                             // of the window
+    double longest_block_ = 0;                             // milliseconds
+    bool first_ = true, shown_ = true, minimized_ = false; // shown: the last frame
     Stopwatch since_start_{};
 };
 

@@ -52,7 +52,7 @@ void Viewer::draw() {
         if (const auto& shot = news_.shots[i]) show_picture(i, shot->marked ? shot->marked : shot->pixels);
     if (state_.split && state_.map != Map::wipe && news_.versus)
         show_picture(0, state_.map == Map::flip ? news_.versus->flip_map : news_.versus->difference);
-    presenter_->present(placements(area));
+    shown_ = presenter_->present(placements(area));
     if (++frames_ % 500 == 0) log_.say("frames {}", frames_);
     for (const Action action : hand.actions) act(action);
     if (hand.camera) camera_moved();

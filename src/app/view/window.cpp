@@ -4,6 +4,7 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <utility>
 
@@ -38,12 +39,30 @@ glm::ivec2 fitting(glm::ivec2 wanted) {
     return area.x > 0 && area.y > 0 ? glm::min(wanted, area) : wanted;
 }
 
+// GLFW 3.3 shows a window under X11 and waits until it is seen; while other events are queued that wait has no end, and a window that its
+// manager does not map, or maps on another desktop, is never seen. So it is mapped past GLFW where there is X11. Both libraries are asked for by
+// name: GLFW is also built without X11.
+void show(GLFWwindow* window) {
+    using Display = void* (*)();
+    using Number = unsigned long (*)(GLFWwindow*);
+    using Map = int (*)(void*, unsigned long);
+    const auto find = [](const char* name) { return ::dlsym(RTLD_DEFAULT, name); };
+    const auto display = reinterpret_cast<Display>(find("glfwGetX11Display"));
+    const auto number = reinterpret_cast<Number>(find("glfwGetX11Window"));
+    const auto map = reinterpret_cast<Map>(find("XMapWindow"));
+    void* const x = display && number && map ? display() : nullptr; // null: on Wayland
+    if (x == nullptr) return glfwShowWindow(window);
+    map(x, number(window));
+    glfwFocusWindow(window); // only where nobody manages windows; it asks the server, so that the window is mapped by now
+}
+
 } // namespace
 
 Window::Window(const std::string& title, glm::uvec2 picture, unsigned panel) {
     if (!glfwInit()) throw gpu::EnvironmentError(fmt::format("no window can be opened: {}", last_error()));
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     const glm::ivec2 size = fitting(glm::ivec2(picture) + glm::ivec2(panel, 0));
     window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
     if (window_ == nullptr) {
@@ -54,6 +73,7 @@ Window::Window(const std::string& title, glm::uvec2 picture, unsigned panel) {
     glfwSetWindowUserPointer(window_, &input_);
     glfwSetKeyCallback(window_, on_key);
     glfwSetDropCallback(window_, on_drop);
+    show(window_);
 }
 
 Window::~Window() {

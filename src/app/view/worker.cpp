@@ -3,9 +3,11 @@
 #include "app/errors.h"
 #include "app/probe_tree.h"
 #include "app/view/marks.h"
+#include "app/view/priority.h"
 
 #include <cmath>
 #include <fmt/ranges.h>
+#include <future>
 #include <utility>
 
 namespace lightbench::view {
@@ -34,6 +36,14 @@ Image8 difference_of(const Image8& a, const Image8& b) {
 }
 
 } // namespace
+
+gpu::Device open_beside_window(const gpu::DeviceRequest& request) {
+    const auto open = [&] {
+        give_way(Priority::rendering);
+        return gpu::Device::open(request);
+    };
+    return std::async(std::launch::async, open).get();
+}
 
 Worker::Worker(gpu::Device device, std::function<void()> wake) : info_(device.info()), device_(std::move(device)), wake_(std::move(wake)) {
     thread_ = std::thread([this] { run(); });
@@ -92,6 +102,7 @@ bool Worker::superseded(const Wish& wish) const {
 }
 
 void Worker::run() {
+    give_way(Priority::rendering);
     stage_.emplace(*device_);
     for (;;) {
         std::optional<Wish> wish;

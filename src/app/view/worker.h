@@ -66,6 +66,9 @@ struct News {
     std::shared_ptr<const std::set<std::string>> used{}; // entry points that the device has used
 };
 
+// Opened to render beside a window that shows: its threads, which of a driver on the CPU draw, give way to those of the window.
+gpu::Device open_beside_window(const gpu::DeviceRequest& request);
+
 class Worker {
   public:
     // `wake` is called from the worker's thread whenever there is news.
