@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,30 +9,10 @@ namespace lightbench::cli {
 
 namespace fs = std::filesystem;
 
-const char* const kBall = R"([film]
-width = 64
-height = 48
-[camera]
-name = "front"
-position = [0, 1, 5]
-target = [0, 0, 0]
-[environment]
-ambient = [0.1, 0.1, 0.1]
-background = [0.05, 0.1, 0.2]
-[[light]]
-type = "point"
-position = [3, 4, 5]
-intensity = 6
-[[material]]
-name = "red"
-diffuse = [0.7, 0.1, 0.1]
-specular = 0.5
-shininess = 20
-[[object]]
-shape = "sphere"
-material = "red"
-radius = 1.0
-)";
+namespace {
+const std::string kBallText = ball_scene(64, 48, "[environment]\nambient = [0.1, 0.1, 0.1]\nbackground = [0.05, 0.1, 0.2]\n");
+}
+const char* const kBall = kBallText.c_str();
 
 const char* const kPlain = R"([[light]]
 type = "directional"
@@ -81,16 +59,6 @@ Ran run(const std::vector<std::string>& arguments, const Environment& more, cons
     ran.out = read_text(folder / "out"), ran.err = read_text(folder / "err");
     fs::remove_all(folder);
     return ran;
-}
-
-std::string read_text(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-    std::ofstream(file, std::ios::binary) << text;
 }
 
 Cli::Cli() : folder(fresh_folder()) {}

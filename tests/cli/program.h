@@ -1,6 +1,8 @@
 // Runs the built program as its users do: arguments in, exit code and both streams out. Validation is on; a message of it is exit code 3.
 #pragma once
 
+#include "support/files.h"
+
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -17,9 +19,6 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 
 // `before`: shell commands that come first (a limit, a trap).
 Ran run(const std::vector<std::string>& arguments, const Environment& more = {}, const std::string& before = "");
-
-std::string read_text(const std::filesystem::path& file);
-void write_text(const std::filesystem::path& file, const std::string& text);
 
 // A folder of its own for each test, gone afterwards.
 class Cli : public ::testing::Test {

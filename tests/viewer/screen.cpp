@@ -5,8 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fstream>
-#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -22,12 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 void nap(int milliseconds = 20) {
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-}
-
-std::string text_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
 }
 
 bool has(const char* program) {
@@ -84,6 +76,10 @@ int Process::wait(double seconds) {
     return code_;
 }
 
+void Process::signal(int number) const {
+    if (pid_ > 0) kill(pid_, number);
+}
+
 bool Process::running() {
     return pid_ > 0 && wait(0) == -1 && pid_ > 0;
 }
@@ -104,10 +100,10 @@ void Viewer::SetUp() {
     // The server chooses a free screen and writes its number.
     server_ = Process({"sh", "-c", "exec Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 3>" + (folder / "display").string()}, {},
                       folder / "server");
-    for (int i = 0; i < 500 && text_of(folder / "display").find('\n') == std::string::npos; ++i) nap();
-    display_ = ":" + text_of(folder / "display");
-    display_.resize(display_.find_last_not_of('\n') + 1);
-    manager_ = Process({"openbox", "--sm-disable"}, {{"DISPLAY", display_}}, folder / "manager");
+    for (int i = 0; i < 500 && read_text(folder / "display").find('\n') == std::string::npos; ++i) nap();
+    display = ":" + read_text(folder / "display");
+    display.resize(display.find_last_not_of('\n') + 1);
+    manager_ = Process({"openbox", "--sm-disable"}, {{"DISPLAY", display}}, folder / "manager");
     // A window that is mapped while the manager comes up may never be told that it is visible, for which GLFW 3.3 waits without end.
     for (int i = 0; i < 500 && std::atoi(tool("get_num_desktops").c_str()) < 1; ++i) nap();
 }
@@ -118,14 +114,18 @@ void Viewer::TearDown() {
     if (!folder.empty()) fs::remove_all(folder);
 }
 
-void Viewer::start(const std::vector<std::string>& options, const std::string& scene, bool validation) {
+void Viewer::launch(const std::vector<std::string>& options, const std::string& scene, bool validation) {
     std::vector<std::string> words = {LIGHTBENCH_PROGRAM,        "view",          scene,          "--log",
                                       (folder / "log").string(), "--screenshots", folder.string()};
     words.insert(words.end(), options.begin(), options.end());
     program_ = Process(
-        words, {{"DISPLAY", display_}, {"LIGHTBENCH_VALIDATION", validation ? "1" : "0"}, {"XDG_STATE_HOME", (folder / "state").string()}},
+        words, {{"DISPLAY", display}, {"LIGHTBENCH_VALIDATION", validation ? "1" : "0"}, {"XDG_STATE_HOME", (folder / "state").string()}},
         folder / "errors");
     read_ = 0, window.clear();
+}
+
+void Viewer::start(const std::vector<std::string>& options, const std::string& scene, bool validation) {
+    launch(options, scene, validation);
     expect("first-frame", 40);
     for (int i = 0; i < 100 && window.empty(); ++i) {
         window = tool("search --onlyvisible --name lightbench");
@@ -136,7 +136,7 @@ void Viewer::start(const std::vector<std::string>& options, const std::string& s
 }
 
 std::string Viewer::tool(const std::string& words) const {
-    return output_of("DISPLAY=" + display_ + " timeout 10 xdotool " + words + " 2>>" + (folder / "xdotool").string());
+    return output_of("DISPLAY=" + display + " timeout 10 xdotool " + words + " 2>>" + (folder / "xdotool").string());
 }
 
 void Viewer::key(const std::string& name) const {
@@ -170,17 +170,17 @@ int Viewer::quit() {
     return program_.wait(20);
 }
 
+int Viewer::terminate() {
+    program_.signal(SIGTERM);
+    return program_.wait(20);
+}
+
 std::string Viewer::log() const {
-    return text_of(folder / "log");
+    return read_text(folder / "log");
 }
 
 std::string Viewer::errors() const {
-    return text_of(folder / "errors");
-}
-
-std::string bytes_of(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return read_text(folder / "errors");
 }
 
 } // namespace lightbench::viewer

@@ -1,6 +1,8 @@
 // A screen of its own for a test, a window manager on it, the viewer in a window, and hands: real input of the X server.
 #pragma once
 
+#include "support/files.h"
+
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <string>
@@ -20,6 +22,7 @@ class Process {
     ~Process();
     bool running();
     int wait(double seconds); // exit code; 128 + signal; -1: still running
+    void signal(int number) const;
     void stop();
 
   private:
@@ -33,6 +36,9 @@ class Viewer : public ::testing::Test {
     void TearDown() override;
 
     void start(const std::vector<std::string>& options, const std::string& scene, bool validation = true);
+    void launch(const std::vector<std::string>& options, const std::string& scene, bool validation = true); // and wait for nothing
+    void stop_manager() { manager_.stop(); }
+    int terminate(); // as a system does that shuts down; the exit code
     // xdotool WORDS on that screen; what it prints.
     std::string tool(const std::string& words) const;
     void key(const std::string& name) const; // as xdotool calls it
@@ -43,16 +49,15 @@ class Viewer : public ::testing::Test {
     std::string log() const;
     std::string errors() const;
     std::filesystem::path folder;
-    std::string window; // its number
+    std::string window;  // its number
+    std::string display; // ":7"
 
   private:
     Process server_, manager_;
     Process program_;
-    std::string display_;
     std::size_t read_ = 0;
 };
 
 std::string output_of(const std::string& command);
-std::string bytes_of(const std::filesystem::path& file);
 
 } // namespace lightbench::viewer

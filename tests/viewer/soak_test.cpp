@@ -8,27 +8,10 @@
 namespace lightbench::viewer {
 namespace {
 
-const char* const kSmallBall = R"([film]
-width = 96
-height = 72
-[[light]]
-type = "point"
-position = [3, 4, 5]
-intensity = 6
-[[material]]
-name = "red"
-diffuse = [0.7, 0.1, 0.1]
-specular = 0.5
-texture = { checker = true }
-[[object]]
-shape = "sphere"
-material = "red"
-)";
-
 class Soak : public Viewer {
   protected:
     std::string scene() const {
-        std::ofstream(folder / "scene.toml") << kSmallBall;
+        write_text(folder / "scene.toml", ball_scene(96, 72, "", "texture = { checker = true }\n"));
         return (folder / "scene.toml").string();
     }
     // The last of "frames N".

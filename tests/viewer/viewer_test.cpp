@@ -12,39 +12,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kBallAndBox = R"([film]
-width = 160
-height = 120
-[camera]
-position = [0, 1, 5]
-target = [0, 0, 0]
-[environment]
+const std::string kBallAndBox = ball_scene(160, 120, R"([environment]
 ambient = [0.1, 0.1, 0.1]
-[[light]]
-type = "point"
-position = [3, 4, 5]
-intensity = 6
-[[material]]
-name = "red"
-diffuse = [0.7, 0.1, 0.1]
-specular = 0.5
-shininess = 20
-texture = { checker = true }
-[[object]]
-shape = "sphere"
-material = "red"
 [[object]]
 shape = "box"
 material = "red"
 translate = [1.4, 0, 0]
-)";
+)",
+                                           "texture = { checker = true }\n");
 
 using ::testing::HasSubstr;
 
 class Driven : public Viewer {
   protected:
     std::string scene(const std::string& text = kBallAndBox) const {
-        std::ofstream(folder / "scene.toml") << text;
+        write_text(folder / "scene.toml", text);
         return (folder / "scene.toml").string();
     }
     // The command that `line` of the log ends with, run; the bytes of its picture.
@@ -54,12 +36,12 @@ class Driven : public Viewer {
         const fs::path picture = folder / "rendered.png";
         const std::string said = output_of(std::string(LIGHTBENCH_PROGRAM) + " " + line + " -o " + picture.string() + " 2>&1");
         EXPECT_TRUE(fs::exists(picture)) << said;
-        return bytes_of(picture);
+        return read_text(picture);
     }
     // A screenshot is what the copied command renders; its bytes.
     std::string expect_saved_as_rendered() {
         key("F12");
-        const std::string saved = bytes_of(expect("screenshot "));
+        const std::string saved = read_text(expect("screenshot "));
         key("ctrl+c");
         EXPECT_TRUE(rendered(expect("copied ")) == saved);
         return saved;
