@@ -189,7 +189,7 @@ TEST_F(Edited, AnEditFromBeforeTheStartCounts) {
                                        " -o " + rendered + " 2>&1");
     EXPECT_EQ(read_text(rendered) == shown, true) << said;
     key("5"); // its shaders are tried now
-    expect("swapped raytrace/", 20);
+    expect("swapped raytrace/", 40);
     EXPECT_EQ(quit(), 0);
 }
 

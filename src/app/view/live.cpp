@@ -155,9 +155,14 @@ bool LiveShaders::look() {
     return true;
 }
 
+// Under the mutex. The pictures use what is not compiled, or what is and was not tried with them.
+bool LiveShaders::shows_untried() const {
+    return used_ && (any_in(*used_, pending_) || (any_in(*used_, ready_) && tried_ != key_of(trial_)));
+}
+
 // Under the mutex, or on a copy of nothing that changes.
 bool LiveShaders::has_work() const {
-    return !pending_.empty() || ends_ || (used_ && any_in(*used_, ready_) && tried_ != key_of(trial_));
+    return !pending_.empty() || ends_ || shows_untried();
 }
 
 // The used ones together, else ends of sliders, else some of the others. False: something is wrong with them.

@@ -52,6 +52,7 @@ class LiveShaders {
     void run();
     void wait_for_a_picture();
     bool look();
+    bool shows_untried() const;
     bool has_work() const;
     bool step();
     bool show(const std::set<std::string>& names, const Trial& trial);

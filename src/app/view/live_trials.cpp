@@ -39,9 +39,14 @@ ShaderError LiveShaders::blamed(std::string text) const {
 
 bool LiveShaders::compile_others(const std::set<std::string>& names) {
     publish([&](LiveNews& news) { news.doing = fmt::format("compiling {} shaders that nothing shown uses", pending_.size()); });
+    const auto stop = [this, stale = interruption()] {
+        if (stale()) return true;
+        const std::lock_guard lock(mutex_);
+        return shows_untried(); // the method that is shown has changed
+    };
     const auto compile = [&] {
         give_way(Priority::later); // the picture is being drawn with what was compiled before
-        return tree_.compile(names, kLaterTime, interruption());
+        return tree_.compile(names, kLaterTime, stop);
     };
     CompiledShaders compiled = std::async(std::launch::async, compile).get();
     if (compiled.stopped) return true;
