@@ -14,11 +14,6 @@
 #include <utility>
 
 namespace lightbench {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-constexpr std::size_t kMostText = 16u << 20;
 
 // Both ends close by themselves, so that nothing leaks into a child that another thread starts meanwhile.
 struct Pipe {
@@ -41,6 +36,12 @@ struct Pipes {
     Pipe in, out, err;
     Pipe exec; // says a byte if there is no such program
 };
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kMostText = 16u << 20;
 
 // What the child gets: argv as exec wants it, seconds of processor time. Made before the fork, behind which nothing may allocate.
 struct Start {
