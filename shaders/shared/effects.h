@@ -75,7 +75,7 @@
 #define OUTPUT_NORMAL 1u                        // the shading normal, world axes
 #define OUTPUT_DEPTH 2u                         // metres along the viewing direction times the frame's scale
 #define OUTPUT_OBJECT 3u                        // object number + 1; 0 is the background
-#define OUTPUT_SHADOW 5u                        // of rays: radiance that is missing because something stands before the lights
 #define OUTPUT_ATTENUATION 4u                   // sum over lights of the attenuated, spot-shaped Ip that arrives, without cosines
+#define OUTPUT_SHADOW 5u                        // of rays: radiance that is missing because something stands before the lights
 
 #endif

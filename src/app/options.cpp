@@ -101,6 +101,13 @@ void parse_precision(Parser& p, Request& r) {
         p.problem("--precision", "float64 belongs to --method raster with --shading phong; elsewhere it must be float32");
 }
 
+void parse_terms(Parser& p, Request& r) {
+    r.terms = p.has("--terms");
+    if (r.terms && r.method == Method::radiosity) p.problem("--terms", "radiosity has no layers: --method raster and raytrace have");
+    if (r.terms && r.sampling == Sampling::adaptive)
+        p.problem("--terms", "layers of adaptive samples would not add up: each would be split where its own contrast is");
+}
+
 void parse_choices(Parser& p, SceneOptions& o) {
     if (const auto i = p.choice("--method", {"raster", "raytrace", "radiosity"})) o.request.method = static_cast<Method>(*i);
     if (const auto i = p.choice("--accel", {"none", "bvh", "sphere-bvh", "grid", "octree"})) o.request.accel = static_cast<Structure>(*i);
@@ -108,6 +115,7 @@ void parse_choices(Parser& p, SceneOptions& o) {
     if (const auto i = p.choice("--shading", {"flat", "gouraud", "phong"})) o.request.shading = static_cast<Shading>(*i);
     parse_precision(p, o.request);
     if (const auto i = p.choice("--sampling", {"none", "uniform", "jittered", "adaptive"})) o.request.sampling = static_cast<Sampling>(*i);
+    parse_terms(p, o.request);
     if (const auto i = p.choice("--model", {"phong", "cook-torrance"})) o.request.model = static_cast<Model>(*i);
     if (const auto i = p.choice("--attenuation", {"none", "linear", "inverse-square"}))
         o.request.attenuation = static_cast<Attenuation>(*i);
@@ -124,7 +132,6 @@ void parse_image(Parser& p, Request& r) {
             [&](double x) { r.exposure = static_cast<float>(x); });
     r.placed = parse_camera(p.text("--camera"));
     if (!r.placed) r.camera = p.text("--camera");
-    r.terms = p.has("--terms");
 }
 
 void parse_edits(Parser& p, SceneEdits& edits) {

@@ -44,10 +44,6 @@ SceneOptions check_arguments(const RenderArguments& arguments, const Given& give
     options.request.output = output_of(arguments.output).value_or(Output::pixels);
     if (options.request.terms && options.request.output != Output::radiance)
         problems.push_back({"--terms", 0, 0, fmt::format("layers need an .exr; -o names {}", arguments.output)});
-    if (options.request.terms && options.request.method == Method::radiosity)
-        problems.push_back({"--terms", 0, 0, "radiosity has no layers: --method raster and raytrace have"});
-    if (options.request.terms && options.request.sampling == Sampling::adaptive)
-        problems.push_back({"--terms", 0, 0, "layers of adaptive samples would not add up: each would be split where its own contrast is"});
     if (!arguments.spirv.empty() && !(options.shaders.empty() && options.sliders.empty()))
         problems.push_back({"--spirv", 0, 0, "either compiled entry points or --shader and --slider, which are compiled"});
     if (several && !options.stats.empty() && options.stats != "-" && frame_path(options.stats, 0) == options.stats)

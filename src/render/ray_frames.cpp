@@ -39,17 +39,18 @@ Plan plan_for(const Plan& whole, const Term& term, bool arriving) {
 }
 
 // The term's own surfaces, or with `arriving` what comes back by the rays that they send on.
-ImageF trace_part(RendererState& s, const View& view, const Term& term, bool arriving) {
+ImageF trace_part(RendererState& s, const View& view, const RenderOptions& options, const Term& term, bool arriving) {
     const Plan plan = plan_for(s.plan, term, arriving);
     auto pipelines = std::exchange(s.tracer->pipelines, {}); // they are told apart by what a plan decides once
     const RayStatistics counts = s.tracer->counts;
     gpu::Timings times;
-    RayWork work{s.device, s.recorder, plan, s.scene, s.geometry, times, {}};
+    RayWork work{s.device, s.recorder, plan, s.scene, s.geometry, times, {}, options.stop};
     work.output = term.output, work.parts = arriving ? term.rays : 1u << kRayEye;
     const glm::vec3 background = term.background || arriving ? s.environment.background : glm::vec3(0);
     gpu::Image* image = s.sum ? &s.sum : &s.targets.resolved;
     if (term.averaged) {
-        for (unsigned i = 0; i < plan.frames; ++i) trace_pass(s, work, view, i, background, *image);
+        for (unsigned i = 0; i < plan.frames && trace_pass(s, work, view, i, background, *image); ++i) {
+        }
     } else {
         image = &s.targets.resolved;
         trace_frame(*s.tracer, work, {view, plan.crop, glm::vec2(0.5f), 0, 0, s.environment.ambient, background}, *image);
@@ -96,15 +97,13 @@ gpu::Image& record_rays(RendererState& s, const View& view, const RenderOptions&
     return image;
 }
 
-Layer trace_layer(RendererState& s, const View& view, const Term& term) {
+Layer trace_layer(RendererState& s, const View& view, const RenderOptions& options, const Term& term) {
     const bool own = term.effects != 0, arriving = s.plan.ray_effects & rays_of(term);
-    Layer layer{std::string(term.name), own ? trace_part(s, view, term, false) : trace_part(s, view, term, true)};
+    Layer layer{std::string(term.name), trace_part(s, view, options, term, !own)};
     if (own && arriving) {
-        const ImageF more = trace_part(s, view, term, true);
+        const ImageF more = trace_part(s, view, options, term, true);
         for (std::size_t i = 0; i < more.rgba.size(); ++i) layer.image.rgba[i] += i % 4 == 3 ? 0 : more.rgba[i];
     }
-    if (term.output == OUTPUT_DEPTH) // frame units to metres; the scale is a power of two
-        for (float& x : layer.image.rgba) x = static_cast<float>(x / s.geometry.frame.scale);
     return layer;
 }
 

@@ -10,7 +10,7 @@ namespace lightbench {
 // All frames of the plan; what options.stop leaves out is black. Returns the image, none if has_no_image().
 gpu::Image& record_rays(RendererState& state, const View& view, const RenderOptions& options, RenderOutput& out);
 
-// Traces once more, or twice, for what the term keeps.
-Layer trace_layer(RendererState& state, const View& view, const Term& term);
+// Traces once more, or twice, for what the term keeps. Depths are in frame units. What options.stop ends early is not to be used.
+Layer trace_layer(RendererState& state, const View& view, const RenderOptions& options, const Term& term);
 
 } // namespace lightbench

@@ -106,15 +106,18 @@ RenderOutput run_image(RendererState& s, const View& view, const RenderOptions& 
     return out;
 }
 
-Layer run_layer(RendererState& s, const View& view, const std::string& name) {
-    const Term term = find_term(name);
-    if (s.tracer) return trace_layer(s, view, term);
+Layer draw_layer(RendererState& s, const View& view, const std::string& name, const Term& term) {
     Drawing drawing{{s.plan.effects & term.effects, term.output, term.averaged ? s.plan.multisamples : 1}, glm::vec3(0), "term-" + name};
     if (term.background) drawing.background = s.environment.background, drawing.background_map = true;
     std::size_t triangles = 0;
     gpu::Image& image = record_drawing(s, view, drawing, triangles);
     s.recorder.submit_and_wait();
-    Layer layer{name, read_crop(s, image)};
+    return {name, read_crop(s, image)};
+}
+
+Layer run_layer(RendererState& s, const View& view, const RenderOptions& options, const std::string& name) {
+    const Term term = find_term(name);
+    Layer layer = s.tracer ? trace_layer(s, view, options, term) : draw_layer(s, view, name, term);
     if (term.output == OUTPUT_DEPTH) // frame units to metres; the scale is a power of two
         for (float& x : layer.image.rgba) x = static_cast<float>(x / s.geometry.frame.scale);
     return layer;
@@ -169,7 +172,11 @@ RenderOutput Renderer::render(const View& view, const RenderOptions& options) {
     RenderOutput out = run_image(*state_, view, options);
     if (out.done < 1 || out.stopped || state_->radiosity) return out;
     if (options.warm_up && std::chrono::steady_clock::now() - start < std::chrono::seconds(1)) out = run_image(*state_, view, options);
-    for (const std::string& name : state_->plan.terms) out.layers.push_back(run_layer(*state_, view, name));
+    for (const std::string& name : state_->plan.terms) {
+        Layer layer = run_layer(*state_, view, options, name);
+        if (options.stop && options.stop()) return out.done = std::nextafter(1.0, 0.0), out; // the picture is whole, its layers are not
+        out.layers.push_back(std::move(layer));
+    }
     return out;
 }
 

@@ -180,7 +180,7 @@ TEST_F(Cost, WithoutGnuplotAllButThePlotsIsMade) {
 
 TEST_F(Cost, FloatErrsByItsRoundingsOnly) {
     const Ran ran = cost({"--knob", "precision", "--strict", "--size", "48x36"});
-    if (ran.code == 3) GTEST_SKIP() << ran.err;
+    if (ran.err.find("does not compute in float64") != std::string::npos) GTEST_SKIP() << ran.err;
     ASSERT_EQ(ran.code, 0) << ran.err;
     const auto found = errors(report()["curves"][0], "relative rmse");
     EXPECT_GT(found[0], 1e-9);

@@ -83,8 +83,6 @@ Inputs arrivals(std::size_t count, unsigned seed) {
     });
 }
 
-} // namespace
-
 TEST_F(Float64Factors, OfTheSurface) {
     for (const unsigned seed : seeds()) {
         const KernelRun run = run_kernel(device, "phong_float64", row_of("phong_specular").inputs(kMillion, seed), 2);
@@ -115,4 +113,5 @@ TEST_F(Float64Factors, KeepNaN) {
     for (std::size_t i = 0; i < 3; ++i) expect_within(light, nan, Bound::exact(), component(i));
 }
 
+} // namespace
 } // namespace lightbench::kernels

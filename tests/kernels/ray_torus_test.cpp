@@ -11,11 +11,11 @@ namespace {
 
 const Inputs kMinor = only({0.3f, 1e-4f, 0.05f, 0.9f, 1, 1.5f, 30});
 
-Inputs rays(std::size_t count, unsigned seed) {
+Inputs torus_rays(std::size_t count, unsigned seed) {
     return generate(count, 6, seed, [](Random& random, std::span<float> in) { fill_ray(random, in, 1.5); });
 }
 
-Inputs vec(const Inputs& x, const Inputs& y, const Inputs& z) {
+Inputs torus_point(const Inputs& x, const Inputs& y, const Inputs& z) {
     return x * y * z;
 }
 
@@ -38,7 +38,7 @@ TEST_F(Kernel, RayTorus) {
 
 // All roots in turn: four at most.
 TEST_F(Kernel, RayTorusAfterHits) {
-    KernelRun run = run_kernel(device, "ray_torus", rays(kMillion / 64, 3) * kMinor * only({-1e9f}), 1);
+    KernelRun run = run_kernel(device, "ray_torus", torus_rays(kMillion / 64, 3) * kMinor * only({-1e9f}), 1);
     for (int hit = 0; hit < 4; ++hit) {
         const Inputs again = after_hits(run);
         ASSERT_GT(again.count(), 100u);
@@ -54,9 +54,10 @@ TEST_F(Kernel, RayTorusTangent) {
     for (float m : {0.3f, 1e-3f, 0.75f, 1.0f, 1.5f}) {
         const Inputs levels = near(m, 4) + near(0, 1) + near(-m, 2) + only({0.5f * m, 1e-7f});
         const Inputs sides = near(1 - m, 3) + near(1 + m, 3) + near(1, 3) + only({0, 1e-7f, 1e-4f, 0.5f});
-        const Inputs along = vec(only({-3, -0.2f, 0}), sides, levels) * vec(only({1}), only({0, 1e-7f, 1e-3f}), only({0, -1e-8f, 1e-5f}));
-        const Inputs down =
-            vec(sides, only({0, 1e-7f, 0.3f}), only({4, 0})) * vec(only({0, 1e-9f, 1e-5f}), only({0, 1e-7f}), only({-1, 0.5f}));
+        const Inputs along =
+            torus_point(only({-3, -0.2f, 0}), sides, levels) * torus_point(only({1}), only({0, 1e-7f, 1e-3f}), only({0, -1e-8f, 1e-5f}));
+        const Inputs down = torus_point(sides, only({0, 1e-7f, 0.3f}), only({4, 0})) *
+                            torus_point(only({0, 1e-9f, 1e-5f}), only({0, 1e-7f}), only({-1, 0.5f}));
         in = in + (along + down) * only({m}) * only({0});
     }
     expect_claims(run_kernel(device, "ray_torus", in, 1), "ray_torus");
@@ -96,11 +97,11 @@ TEST_F(Kernel, RayTorusOfAnything) {
     };
     const Inputs minor = only({0, 1e-20f, 0.5f, 1e4f});
     expect_within(run_kernel(device, "ray_torus", random_bits(kMillion / 4, 6, 1) * minor * only({0})), constant(0), Bound::exact(), sane);
-    expect_within(run_kernel(device, "ray_torus", rays(kMillion / 16, 2) * minor * only({0})), constant(0), Bound::exact(), sane);
+    expect_within(run_kernel(device, "ray_torus", torus_rays(kMillion / 16, 2) * minor * only({0})), constant(0), Bound::exact(), sane);
     const Inputs bad = only({kNaN, std::numeric_limits<float>::infinity()}), any = only({0, 1, -1e30f}) + bad;
-    const Inputs ray = vec(only({0}), only({0.5f}), only({1})), none = vec(only({0}), only({0.0f, -0.0f}), only({0}));
-    const Inputs in =
-        ray * vec(bad, any, any) + ray * vec(any, any, bad) + vec(bad, any, any) * ray + vec(any, bad, any) * ray + ray * none;
+    const Inputs ray = torus_point(only({0}), only({0.5f}), only({1})), none = torus_point(only({0}), only({0.0f, -0.0f}), only({0}));
+    const Inputs in = ray * torus_point(bad, any, any) + ray * torus_point(any, any, bad) + torus_point(bad, any, any) * ray +
+                      torus_point(any, bad, any) * ray + ray * none;
     expect_within(run_kernel(device, "ray_torus", in * minor * only({0})), constant(kNoHit), Bound::exact());
 }
 

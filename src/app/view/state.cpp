@@ -196,6 +196,7 @@ Request request_of(const State& state, unsigned side, glm::uvec2 size) {
     if (r.method != Method::raytrace && r.sampling == Sampling::adaptive) r.sampling = Sampling::none;
     if (r.sampling == Sampling::adaptive) r.spp = 1;
     if (r.method != Method::radiosity) r.radiosity = {};
+    if (r.method != Method::raster || r.shading != Shading::phong) r.precision = Precision::float32;
     if (r.radiosity.pick && r.radiosity.show == Show::light) r.radiosity.pick.reset();
     return r;
 }

@@ -1,5 +1,6 @@
 // Which actions would change nothing, and why: as the plan decides of the scene in the method that is shown.
 #include "app/view/state.h"
+#include "gpu/check.h"
 #include "plan/fate.h"
 #include "plan/radiosity.h"
 
@@ -13,6 +14,7 @@ std::optional<std::string> none_drawn(const std::vector<std::string_view>& names
     std::optional<std::string> reason;
     for (const std::string_view name : names) {
         const auto effect = std::ranges::find(effects(), name, &Effect::name);
+        CHECK(effect != effects().end(), "no effect is named {}", name);
         Decision decision = decide_effect(*effect, facts, request);
         if (decision.fate == Fate::drawn) return std::nullopt;
         if (!reason) reason = std::move(decision.reason);

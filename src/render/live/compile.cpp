@@ -110,9 +110,11 @@ void ShaderTree::update(Stage& stage, const std::map<std::string, std::string>& 
     for (const auto& [name, text] : texts) {
         if (const auto known = stage.texts.find(name); known != stage.texts.end() && known->second == text) continue;
         fs::create_directories((stage.folder.path / name).parent_path());
-        std::ofstream(stage.folder.path / name, std::ios::binary) << text;
+        stage.texts.erase(name);
+        std::ofstream out(stage.folder.path / name, std::ios::binary);
+        if (out << text << std::flush) stage.texts[name] = text; // what is cut short, on a full disk, is written again
     }
-    stage.texts = texts;
+    std::erase_if(stage.texts, [&](const auto& known) { return !texts.contains(known.first); });
 }
 
 CompiledShaders ShaderTree::compile(const std::set<std::string>& entry_points, std::chrono::milliseconds limit,

@@ -13,8 +13,8 @@ struct EndlessLoop {
     unsigned line = 0;
 };
 
-// The first loop of what the entry point calls that can be entered, and then neither left nor ended by a return: exact, with constant conditions
-// taken as they are. Loops whose end depends on values may be endless all the same.
+// The first loop of what the entry point calls that can be entered, and then neither left nor ended by a return: with constant conditions
+// taken as they are; a discard in a called function does not count as an end. Loops whose end depends on values may be endless all the same.
 std::optional<EndlessLoop> endless_loop(std::span<const std::uint32_t> words);
 
 } // namespace lightbench
