@@ -31,7 +31,7 @@ struct PresenterParts {
 
 namespace {
 
-// Nanoseconds that a frame waits for the screen, and for the driver, which compiles what is new: then hands have their turn. Hidden windows may
+// Nanoseconds of each wait of a frame, for the screen and for the driver, which compiles what is new: then hands have their turn. Hidden windows may
 // get no image at all.
 constexpr std::uint64_t kPatience = 20'000'000;
 constexpr std::array<float, 4> kBackground = {0.09f, 0.09f, 0.1f, 1};
