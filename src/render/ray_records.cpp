@@ -91,8 +91,8 @@ RayCounters TileTracer::submit() {
     return c;
 }
 
-// Eye rays are made where they are traced, unless they must be there before: listed points are met by few of them, and walks that are put
-// down are taken up with the rays that they belong to.
+// Eye rays are made where they are traced, unless they must be there before: those through listed points, those that an observer reads whether
+// they hit or not, and those of walks that are put down and taken up again.
 bool TileTracer::makes_eye_rays() const {
     return generations_.size() <= 1 && !frame_.points && !w_.observe && !b_.walks;
 }
